@@ -1,0 +1,229 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parameters: what a shape may be told, declared once as the fields of frozen dataclasses.
+
+The type of a field says what it is, its metadata says the unit, the limits and the words for people. From this one
+declaration come Blender's properties and panels, job files, the command line's help and the tables in the docs.
+Every check is in `coerce`, or in the `check` of a kind where it takes two fields, and all of them run when a value
+is made: whoever asks, the refusal is the same sentence.
+"""
+
+import re
+from contextlib import contextmanager
+from dataclasses import dataclass, field, fields, replace
+from enum import Enum, EnumMeta
+from functools import cache, partial
+from math import inf, isfinite
+from numbers import Real
+from types import UnionType
+from typing import dataclass_transform, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+
+class ShapeError(ValueError):
+    """A refusal: the key path of the parameter, what would do, and what it got.
+
+    Attributes
+    ----------
+    sentence : str
+        The refusal without the key path.
+    key : str
+        The key path of the parameter, as in a job file: ``contour.radius``.
+    """
+
+    def __init__(self, sentence, key=""):
+        super().__init__(f"{key}: {sentence}" if key else sentence)
+        self.sentence, self.key = sentence, key
+
+
+@contextmanager
+def at(key):
+    """Say where in a larger value a refusal belongs; a shorthand has no key of its own."""
+    try:
+        yield
+    except ShapeError as error:
+        raise ShapeError(error.sentence, ".".join(filter(None, (key, error.key)))) from None
+
+
+def require(holds, sentence, value, key=""):
+    """Refuse a value unless the sentence about it holds."""
+    if not holds:
+        got = f"{value:.9g}" if isinstance(value, float) else repr(value)
+        raise ShapeError(f"{sentence}, got {got if len(got) <= 60 else got[:57] + '...'}", key)
+
+
+class Array:
+    """Read-only numbers that compare and hash by their contents."""
+
+    def __init__(self, values):
+        self.values = np.array(values, dtype=np.float64) + 0.0  # turns -0.0 to 0.0: equal numbers, equal bytes
+        self.values.flags.writeable = False
+
+    def __eq__(self, other):
+        return isinstance(other, Array) and np.array_equal(self.values, other.values)
+
+    def __hash__(self):
+        return hash((self.values.shape, self.values.tobytes()))
+
+    def __len__(self):
+        return len(self.values)
+
+    def __array__(self, dtype=None, copy=None):
+        return np.array(self.values, dtype=dtype) if copy else np.asarray(self.values, dtype=dtype)
+
+    def __repr__(self):
+        return repr(self.values.tolist())
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One declared field: its name, type and default, and what its metadata says."""
+
+    name: str
+    type: object
+    default: object = None
+    doc: str = ""
+    unit: str | None = None  # "length" in metres, "angle" in radians
+    minimum: float = -inf
+    maximum: float = inf
+    above: float = -inf  # a limit that is not itself allowed
+    soft_maximum: float | None = None  # where a slider ends; typing may go on to the maximum
+    columns: int | None = None  # numbers in a row of an array; None: a row is one number
+    accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
+    shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
+    group: str = ""  # the sub-panel of the sidebar it is drawn in
+
+    @property
+    def kinds(self):
+        return get_args(self.type) if isinstance(self.type, UnionType) else ()
+
+    @property
+    def is_list(self):
+        return self.type in (Array, tuple[Array, ...])
+
+
+def parameter(default, doc, **metadata):
+    """Declare a field: its default, its doc for people, and any of the words of `Parameter`."""
+    return field(default=default, metadata={"doc": doc, **metadata})
+
+
+length = partial(parameter, unit="length", above=0.0)
+angle = partial(parameter, unit="angle")
+count = partial(parameter, minimum=1)
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(parameter,))
+def declared(cls):
+    """Make a frozen dataclass that coerces and checks its fields once, when a value is made."""
+
+    def settle(self):
+        for p in parameters(cls):
+            with at("" if p.shorthand else p.name):
+                object.__setattr__(self, p.name, coerce(p, getattr(self, p.name)))
+        if hasattr(cls, "check"):
+            self.check()
+
+    cls.__post_init__ = settle
+    return dataclass(frozen=True)(cls)
+
+
+@cache
+def parameters(cls):
+    """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
+    hints = get_type_hints(cls)
+    found = (Parameter(f.name, hints[f.name], f.default, **f.metadata) for f in fields(cls))
+    return tuple(replace(p, default=coerce(p, p.default)) for p in found)
+
+
+@cache
+def inside(union, kind):
+    """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
+    chosen = union.default if isinstance(union.default, kind) else kind()
+    return tuple(
+        replace(p, default=getattr(chosen, p.name), unit=p.unit or union.unit, doc=union.doc if p.shorthand else p.doc)
+        for p in parameters(kind)
+    )
+
+
+@cache
+def spelled(kind, joint="-"):
+    """The name of a class (FixedUp) or of an Enum's member (FIXED_UP) as jobs (fixed-up) or identifiers have it."""
+    if isinstance(kind, Enum):
+        return kind.name.lower().replace("_", joint)
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", joint, kind.__name__).lower()
+
+
+def coerce(p, value):
+    """The value that was meant, or a `ShapeError`."""
+    if p.kinds:
+        return coerce_kind(p, value)
+    if isinstance(p.type, EnumMeta):
+        names = {spelled(member): member for member in p.type}
+        return value if isinstance(value, p.type) else pick(names, value)
+    if p.type is Array:
+        return coerce_array(p, value)
+    if get_origin(p.type) is tuple:
+        first, *rest = get_args(p.type)
+        require(isinstance(value, (list, tuple, np.ndarray)), "must be a list", value)
+        require(rest == [...] or len(value) == 1 + len(rest), f"must be a list of {1 + len(rest)}", value)
+        return tuple(coerce(replace(p, type=first), item) for item in value)
+    if p.type in (int, float):
+        return coerce_number(p, value)
+    require(isinstance(value, p.type), {bool: "must be true or false", str: "must be text"}[p.type], value)
+    return value
+
+
+def coerce_number(p, value):
+    number = isinstance(value, Real) and not isinstance(value, (bool, np.bool_)) and isfinite(value)
+    require(number, "must be a number", value)
+    require(p.type is float or value % 1 == 0, "must be a whole number", value)
+    require(value > p.above, f"must be more than {p.above:g}", value)
+    require(value >= p.minimum, f"must be at least {p.minimum:g}", value)
+    require(value <= p.maximum, f"must be at most {p.maximum:g}", value)
+    return p.type(value)
+
+
+def coerce_array(p, value):
+    try:
+        array = value if isinstance(value, Array) else Array(value)
+    except (TypeError, ValueError):
+        array = None
+    row = (p.columns,) if p.columns else ()
+    fits = array and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
+    finite = fits and np.isfinite(array.values).all()
+    require(finite, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
+    return array
+
+
+def coerce_kind(p, value):
+    """A kind from itself, from its name, from its table, or from the one value that is its shorthand."""
+    if isinstance(value, p.kinds):
+        return value
+    names = {spelled(kind): kind for kind in p.kinds}
+    if isinstance(value, str) and value in names:
+        value = {"kind": value}
+    if isinstance(value, dict):
+        return from_table(names, value, lambda kind: inside(p, kind))
+    forms = {float: Real, str: str, Array: (list, tuple, np.ndarray, Array)}
+    for kind in p.kinds:
+        for q in parameters(kind):
+            if q.shorthand and isinstance(value, forms[q.type]):
+                return kind(**{q.name: value})
+    return pick(names, value)
+
+
+def from_table(names, table, declared):
+    """A value from a table of plain values whose ``kind`` is one of the names."""
+    table = dict(table)
+    with at("kind"):
+        kind = pick(names, table.pop("kind", None))
+    known = {q.name: q.default for q in declared(kind)}
+    for key in table.keys() - known:
+        raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", key)
+    return kind(**known | table)
+
+
+def pick(names, value):
+    require(isinstance(value, str) and value in names, f"must be one of {', '.join(names)}", value)
+    return names[value]
