@@ -1,0 +1,245 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Expressions: the one small language for formulas, of numbers, documented names and functions, and nothing else.
+
+A text comes from strangers. It is read into a tree by the tables of `functions` and kept in postfix order, so that
+no attribute, call or name can be reached that is not in them, and evaluating it needs no recursion. All
+numbers are floats: no power can grow beyond infinity, which is refused.
+"""
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from math import isfinite
+
+import numpy as np
+
+from .functions import COMPARISON, CONSTANTS, FUNCTIONS, INFIX, NEGATION, POWER, PREFIX
+from .parameters import ShapeError, require
+
+LONGEST = 2000  # characters of a text
+DEEPEST = 100  # brackets, signs and powers inside one another
+
+TOKEN = re.compile(
+    r"(?P<space>\s+)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)"
+    r"|(?P<symbol>\*\*|&&|\|\||[<>=!]=|[-+*/%^<>!(),])|(?P<nothing>.)",
+    re.ASCII | re.DOTALL,
+)
+
+
+@dataclass(frozen=True)
+class Expression:
+    """A text that was understood, ready to be evaluated.
+
+    Attributes
+    ----------
+    text : str
+        What it was read from.
+    names : tuple of str
+        The names it uses, each once; an expression without names is constant.
+    program : tuple
+        The tree in postfix order: numbers, names, and functions with the number of values they take.
+    """
+
+    text: str
+    names: tuple
+    program: tuple
+
+    def evaluate(self, **arrays):
+        """The value for all samples at once.
+
+        Parameters
+        ----------
+        **arrays : float arrays or numbers
+            The value of each name; they broadcast. Names that are not used only say where a refusal is.
+
+        Returns
+        -------
+        float array
+            As large as the arrays broadcast together, also where the expression is constant.
+
+        Raises
+        ------
+        ShapeError
+            Where a value is not finite: it names the first such sample.
+        """
+        arrays = {name: np.asarray(values, dtype=np.float64) for name, values in arrays.items()}
+        stack = []
+        with np.errstate(all="ignore"):
+            for step in self.program:
+                if isinstance(step, tuple):
+                    function, count = step
+                    stack[-count:] = [function(*stack[-count:])]
+                else:
+                    stack.append(arrays[step] if isinstance(step, str) else np.float64(step))
+        values = np.array(np.broadcast_arrays(stack[0], *arrays.values())[0])
+        return finite(values, **arrays)
+
+
+def compile(text, names):
+    """Read an expression.
+
+    Numbers, the given names, ``pi``, ``tau``, ``e``; ``+ - * /``, ``%`` with the sign of the divisor, ``^`` or ``**``
+    from right to left and before a sign, so that ``-2^2`` is -4; comparisons, which are 1 or 0; ``&& || !`` or
+    ``and or not``; and the functions abs acos asin atan atan2 ceil clamp cos cosh exp floor if lerp log log10 max min
+    mod pow round sign sin sinh smoothstep sqrt tan tanh trunc. ``if(condition, yes, no)`` chooses for each sample.
+
+    Parameters
+    ----------
+    text : str
+        At most 2,000 characters.
+    names : iterable of str
+        The names that the text may use; they hide constants of the same name.
+
+    Returns
+    -------
+    Expression
+
+    Raises
+    ------
+    ShapeError
+        If the text is no such expression, with the place; or if it is constant and not finite.
+
+    Examples
+    --------
+    >>> compile("1 - t^2/2", ["t"]).evaluate(t=[0, 1, 2]).tolist()
+    [1.0, 0.5, -1.0]
+    >>> try:
+    ...     compile("1 - q", ["t"])
+    ... except ShapeError as error:
+    ...     print(error)
+    must be an expression of t: 'q' at character 5 is no name (t, pi, tau, e are), got '1 - q'
+    """
+    require(isinstance(text, str), "must be text", text)
+    return compiled(text, tuple(names))
+
+
+@lru_cache(maxsize=256)
+def compiled(text, names):
+    expression = Reader(text, names).read()
+    if not expression.names:
+        expression.evaluate()
+    return expression
+
+
+class Reader:
+    """Reads one text from left to right by operator precedence (Pratt 1973) and writes its postfix order."""
+
+    def __init__(self, text, names):
+        self.text, self.names, self.depth, self.program, self.used = text, names, 0, [], {}
+        if len(text) > LONGEST:
+            self.refuse(f"it is {len(text)} characters long, at most {LONGEST} are allowed", 0)
+        found = [match for match in TOKEN.finditer(text) if match.lastgroup != "space"]
+        self.tokens = [(match.lastgroup, match.group(), match.start()) for match in found]
+        self.tokens.append(("end", "", len(text)))
+        self.tokens.reverse()
+
+    def read(self):
+        self.operation(0)
+        if self.tokens[-1][0] != "end":
+            self.missing("an operator")
+        return Expression(self.text, tuple(self.used), tuple(self.program))
+
+    def operation(self, least):
+        """A value and the operators after it that bind at least so closely."""
+        self.depth += 1
+        if self.depth > DEEPEST:
+            self.refuse(f"more than {DEEPEST} levels{self.here()}", self.tokens[-1][2])
+        self.value(least)
+        compared = False
+        while self.tokens[-1][1] in INFIX and INFIX[self.tokens[-1][1]][0] >= least:
+            binds, function = INFIX[self.tokens[-1][1]]
+            if compared and binds == COMPARISON:
+                self.refuse(f"a second comparison{self.here()} needs && or brackets", self.tokens[-1][2])
+            compared = binds == COMPARISON
+            self.tokens.pop()
+            self.operation(binds if binds == POWER else binds + 1)
+            self.program.append((function, 2))
+        self.depth -= 1
+
+    def value(self, least):
+        kind, text, place = self.tokens[-1]
+        if text in PREFIX and not (text == "not" and least > NEGATION):
+            binds, function = PREFIX[text]
+            self.tokens.pop()
+            self.operation(binds)
+            self.program.append((function, 1))
+        elif text == "(":
+            self.tokens.pop()
+            self.operation(0)
+            self.close()
+        elif kind == "number":
+            if not isfinite(float(text)):
+                self.refuse(f"{shown(text, 20)}{self.here()} is too large", place)
+            self.program.append(float(text))
+            self.tokens.pop()
+        elif kind == "name" and text not in INFIX and text not in PREFIX:
+            self.call() if self.tokens[-2][1] == "(" else self.name()
+        else:
+            self.missing("a value")
+
+    def name(self):
+        _, text, place = self.tokens[-1]
+        if text not in self.names and text not in CONSTANTS:
+            known = ", ".join(dict.fromkeys((*self.names, *CONSTANTS)))
+            self.refuse(f"{shown(text, 20)}{self.here()} is no name ({known} are)", place)
+        if text in self.names:
+            self.used[text] = None
+        self.program.append(text if text in self.names else CONSTANTS[text])
+        self.tokens.pop()
+
+    def call(self):
+        _, text, place = self.tokens[-1]
+        if text not in FUNCTIONS:
+            self.refuse(f"{shown(text, 20)}{self.here()} is no function ({', '.join(FUNCTIONS)} are)", place)
+        function, fewest, most = FUNCTIONS[text]
+        del self.tokens[-2:]
+        count = 1
+        self.operation(0)
+        while self.tokens[-1][1] == ",":
+            self.tokens.pop()
+            self.operation(0)
+            count += 1
+        self.close()
+        if not fewest <= count <= most:
+            takes = f"{fewest}" if fewest == most else f"at least {fewest}"
+            self.refuse(f"{text} at character {place + 1} takes {takes} values, not {count}", place)
+        self.program.append((function, count))
+
+    def close(self):
+        if self.tokens[-1][1] != ")":
+            self.missing("a closing bracket or an operator")
+        self.tokens.pop()
+
+    def missing(self, what):
+        kind, text, place = self.tokens[-1]
+        if kind == "nothing":
+            self.refuse(f"{shown(text, 20)}{self.here()} has no meaning", place)
+        before = f" before {shown(text, 20)}" if text else ""
+        self.refuse(f"{what} is missing{self.here()}{before}", place)
+
+    def here(self):
+        return f" at character {self.tokens[-1][2] + 1}"
+
+    def refuse(self, what, place):
+        """Refuse the text and show no more than 40 characters of it, those around the place."""
+        names = ", ".join(self.names) or "numbers"
+        start = max(0, min(place - 20, len(self.text) - 34))
+        near = ("..." if start else "") + self.text[start:]
+        raise ShapeError(f"must be an expression of {names}: {what}, got {shown(near, 40)}")
+
+
+def shown(text, most):
+    """A text in quotes, cut to so many characters."""
+    quoted = repr(text)
+    return quoted if len(quoted) <= most else quoted[: most - 4] + "..." + quoted[-1]
+
+
+def finite(values, **places):
+    """The values, or a refusal that says at which of the samples the first one is not finite."""
+    wrong = np.flatnonzero(~np.isfinite(values))
+    if wrong.size:
+        first = {name: np.broadcast_to(given, values.shape).flat[wrong[0]] for name, given in places.items()}
+        where = " at " + ", ".join(f"{name} = {place:.6g}" for name, place in first.items()) if first else ""
+        raise ShapeError(f"must be finite everywhere, got {values.flat[wrong[0]]:g}{where}")
+    return values

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Functions: the constants, functions and operators that an expression may use; there are no others."""
+
+from functools import reduce
+from math import e, pi, tau
+
+import numpy as np
+
+MOST = 2000  # values of a function that takes any number; a text is shorter
+
+CONSTANTS = {"pi": pi, "tau": tau, "e": e}
+
+
+def truth(function):
+    """A question whose answer counts: 1 where it holds, 0 elsewhere."""
+    return lambda *values: function(*values) * 1.0
+
+
+def clamp(x, low, high):
+    """x where it lies between the limits, else the nearer limit."""
+    return np.minimum(np.maximum(x, low), high)
+
+
+def smoothstep(low, high, x):
+    """0 up to low, 1 from high on, and the cubic without kinks between."""
+    x = clamp((x - low) / (high - low), 0.0, 1.0)
+    return x * x * (3 - 2 * x)
+
+
+FUNCTIONS = {  # name: function, fewest and most values
+    **{name: (getattr(np, name), 1, 1) for name in "sin cos tan sinh cosh tanh sqrt exp log log10".split()},
+    **{name: (getattr(np, name), 1, 1) for name in "abs floor ceil trunc round sign".split()},
+    "asin": (np.arcsin, 1, 1),
+    "acos": (np.arccos, 1, 1),
+    "atan": (np.arctan, 1, 1),
+    "atan2": (np.arctan2, 2, 2),
+    "min": (lambda *values: reduce(np.minimum, values), 2, MOST),
+    "max": (lambda *values: reduce(np.maximum, values), 2, MOST),
+    "mod": (np.mod, 2, 2),
+    "pow": (np.power, 2, 2),
+    "clamp": (clamp, 3, 3),
+    "lerp": (lambda start, end, x: start + (end - start) * x, 3, 3),
+    "smoothstep": (smoothstep, 3, 3),
+    "if": (lambda condition, yes, no: np.where(condition, yes, no), 3, 3),
+}
+
+NEGATION, COMPARISON, SIGN, POWER = 3, 4, 7, 8  # how closely an operator binds: the higher, the closer
+
+PREFIX = {
+    "not": (NEGATION, truth(np.logical_not)),
+    "!": (SIGN, truth(np.logical_not)),
+    "-": (SIGN, np.negative),
+    "+": (SIGN, np.positive),
+}
+INFIX = {
+    "||": (1, truth(np.logical_or)),
+    "or": (1, truth(np.logical_or)),
+    "&&": (2, truth(np.logical_and)),
+    "and": (2, truth(np.logical_and)),
+    "<": (COMPARISON, truth(np.less)),
+    "<=": (COMPARISON, truth(np.less_equal)),
+    ">": (COMPARISON, truth(np.greater)),
+    ">=": (COMPARISON, truth(np.greater_equal)),
+    "==": (COMPARISON, truth(np.equal)),
+    "!=": (COMPARISON, truth(np.not_equal)),
+    "+": (5, np.add),
+    "-": (5, np.subtract),
+    "*": (6, np.multiply),
+    "/": (6, np.divide),
+    "%": (6, np.mod),
+    "^": (POWER, np.power),
+    "**": (POWER, np.power),
+}
