@@ -2,10 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A section: what every contour becomes, closed loops of points in the plane that bound an area."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+
+from .loops import following, joined, loop_of, require_apart, require_area, without_coincident
+from .nesting import nesting
+
+SHARP = np.radians(20)  # an edge that turns by more is a corner; flattened curves turn by at most 15 degrees
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,21 +25,129 @@ class Section:
         Loop ``i`` is ``points[offsets[i]:offsets[i + 1]]``.
     sharp : (m,) bool array
         Where the outline has a corner, so that the sweep has an edge and not a rounding.
+
+    Nothing is checked here: `from_loops` makes a section of loops that may be anything.
+
+    Examples
+    --------
+    >>> section = Section.from_loops([[(0, 0), (1, 0), (0, 1)]])
+    >>> section.area
+    0.5
     """
 
     points: np.ndarray
     offsets: np.ndarray
     sharp: np.ndarray
 
+    @classmethod
+    def from_loops(cls, loops, sharp=None):
+        """Check loops and turn them so that the area, by the even-odd rule, lies on their left.
+
+        Parameters
+        ----------
+        loops : sequence of (n, 2) array-likes
+            Points in metres, in either direction; a repeated closing point and coincident neighbours are dropped.
+        sharp : sequence of (n,) bool array-likes, optional
+            Where each loop has a corner; by default where it turns by more than 20 degrees.
+
+        Raises
+        ------
+        ShapeError
+            For a loop of fewer than three points, of no area, or with a number that is none, and for loops that
+            cross or touch themselves or each other. The sentence says which loop and where.
+
+        Examples
+        --------
+        A hole is turned against its outline, whichever way it came:
+
+        >>> square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+        >>> section = Section.from_loops([3 * square, 1 + square])
+        >>> section.areas.tolist(), section.islands
+        ([9.0, -1.0], ((0, 1),))
+        """
+        points, offsets = joined(loops)
+        flags = np.zeros(len(points), dtype=bool)
+        if sharp is not None:
+            flags = np.concatenate([np.asarray(flag, dtype=bool) for flag in sharp])
+        section = cls(*without_coincident(points, offsets, flags))
+        require_area(section.points, section.offsets)
+        require_apart(section.points, section.offsets)
+        hole = nesting(section.points, section.offsets).sum(axis=1) % 2 == 1
+        section = section.reversed(hole == (section.areas > 0))
+        return section if sharp is not None else replace(section, sharp=np.abs(section.turns) > SHARP)
+
     @cached_property
     def following(self):
         """(m,) int array: the index of the next point of the same loop."""
-        following = np.arange(1, len(self.points) + 1)
-        following[self.offsets[1:] - 1] = self.offsets[:-1]
-        return following
+        return following(self.offsets)
+
+    @cached_property
+    def loop_of(self):
+        """(m,) int array: the number of the loop that each point belongs to."""
+        return loop_of(self.offsets)
+
+    @cached_property
+    def edge_lengths(self):
+        """(m,) float array: the distance from each point to the next of its loop, in metres."""
+        return np.hypot(*(self.points[self.following] - self.points).T)
+
+    @cached_property
+    def perimeters(self):
+        """(k,) float array: the length of each loop, in metres."""
+        return np.add.reduceat(self.edge_lengths, self.offsets[:-1])
+
+    @cached_property
+    def areas(self):
+        """(k,) float array: what each loop encloses, holes negative, in square metres."""
+        x, y = (self.points - self.points[self.offsets[:-1]][self.loop_of]).T
+        return np.add.reduceat(x * y[self.following] - y * x[self.following], self.offsets[:-1]) / 2
 
     @cached_property
     def area(self):
         """The enclosed area, holes taken off, in square metres."""
-        x, y = self.points.T
-        return float(x @ y[self.following] - y @ x[self.following]) / 2
+        return float(self.areas.sum())
+
+    @cached_property
+    def centroid(self):
+        """(2,) float array: the centroid of the enclosed area, in metres."""
+        origin = self.points[0]
+        here = self.points - origin
+        there = here[self.following]
+        twice = here[:, 0] * there[:, 1] - here[:, 1] * there[:, 0]
+        return origin + twice @ (here + there) / (3 * twice.sum())
+
+    @cached_property
+    def size(self):
+        """The diagonal of the box around all points, in metres."""
+        return float(np.hypot(*np.ptp(self.points, axis=0)))
+
+    @cached_property
+    def turns(self):
+        """(m,) float array: the angle in radians by which the outline turns at each point, left is positive."""
+        edges = self.points[self.following] - self.points
+        turns = np.empty(len(edges))
+        before, after = edges, edges[self.following]
+        sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+        turns[self.following] = np.arctan2(sine, np.einsum("ij,ij->i", before, after))
+        return turns
+
+    @cached_property
+    def islands(self):
+        """Tuple of tuples of loop numbers: each island's outer loop, then its holes."""
+        inside = nesting(self.points, self.offsets)
+        depth = inside.sum(axis=1)
+        around = inside & (depth[None] == depth[:, None] - 1)
+        outer = np.flatnonzero(depth % 2 == 0)
+        return tuple((int(i), *(int(j) for j in np.flatnonzero(around[:, i]))) for i in outer)
+
+    def translated(self, vector):
+        """The section moved by a vector of (2,) metres."""
+        return replace(self, points=self.points + np.asarray(vector, dtype=float))
+
+    def reversed(self, which):
+        """The section with the loops where (k,) bools say so run backwards, each from the same first point."""
+        first = self.offsets[:-1][self.loop_of]
+        place = np.arange(len(self.points)) - first
+        size = np.diff(self.offsets)[self.loop_of]
+        order = first + np.where(which[self.loop_of], -place % size, place)
+        return replace(self, points=self.points[order], sharp=self.sharp[order])

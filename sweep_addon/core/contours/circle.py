@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The circle, as a contour."""
+
+import numpy as np
+
+from ..parameters import count, declared, length
+from .section import Section
+
+
+@declared
+class Circle:
+    """A circle about its reference point
+
+    As a polygon inscribed in it, smooth all round however few its points, the first on +x.
+
+    Examples
+    --------
+    >>> section = Circle(radius=2.0, points=4).section()
+    >>> section.points.round(9).tolist()
+    [[2.0, 0.0], [0.0, 2.0], [-2.0, 0.0], [-0.0, -2.0]]
+    """
+
+    radius: float = length(1.0, "Distance of the points from the centre")
+    points: int = count(64, "Points around the circle", minimum=3, maximum=4096, soft_maximum=128)
+
+    def section(self):
+        """The polygon as a `Section` of one loop."""
+        angles = 2 * np.pi * np.arange(self.points) / self.points
+        around = self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        return Section(around, np.array([0, self.points]), np.zeros(self.points, dtype=bool))

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Raw loops: points as they come from people and files, checked before they become a section."""
+
+import numpy as np
+
+from ..parameters import ShapeError, require
+from .crossing import crossings
+
+COINCIDENT = 1e-7  # of the size of all loops: what Blender's single precision cannot tell apart
+LARGEST = 1e12  # metres
+
+
+def following(offsets):
+    """(m,) int array: the index of the next point of the same loop."""
+    following = np.arange(1, offsets[-1] + 1)
+    following[offsets[1:] - 1] = offsets[:-1]
+    return following
+
+
+def loop_of(offsets):
+    """(m,) int array: the number of the loop that each point belongs to."""
+    return np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+
+
+def joined(loops):
+    """All points of loops that may be anything as an (m, 2) float array, and the (k + 1,) offsets between them."""
+    arrays = [checked_numbers(loop, spoken(i, len(loops))) for i, loop in enumerate(loops)]
+    require(arrays, "must have at least one loop", arrays)
+    return np.concatenate(arrays), np.cumsum([0, *(len(array) for array in arrays)])
+
+
+def checked_numbers(loop, which):
+    """One loop as an (n, 2) float array of sensible numbers."""
+    try:
+        points = np.asarray(loop, dtype=np.float64)
+    except (TypeError, ValueError):
+        points = np.empty(0)
+    require(points.size and points.ndim == 2 and points.shape[1] == 2, f"{which}must be a list of 2 numbers each", loop)
+    bad = ~(np.abs(points) <= LARGEST).all(axis=1)
+    if bad.any():
+        i = int(bad.argmax())
+        x, y = points[i]
+        raise ShapeError(f"{which}must have finite numbers up to {LARGEST:g}, got ({x:g}, {y:g}) at point {i}")
+    return points
+
+
+def without_coincident(points, offsets, sharp):
+    """The points that do not coincide with the next of their loop, which inherits their sharpness; refuses too few."""
+    step = np.hypot(*(points[following(offsets)] - points).T)
+    kept = np.flatnonzero(step > COINCIDENT * np.hypot(*np.ptp(points, axis=0)))
+    kept_offsets = np.searchsorted(kept, offsets)
+    for i, n in enumerate(np.diff(kept_offsets).tolist()):
+        require(n >= 3, f"{spoken(i, len(offsets) - 1)}must have at least 3 different points", n)
+    flagged = np.flatnonzero(sharp)
+    loop = loop_of(offsets)[flagged]
+    heir = np.searchsorted(kept, flagged)
+    flags = np.zeros(len(kept), dtype=bool)
+    flags[np.where(heir < kept_offsets[loop + 1], heir, kept_offsets[loop])] = True
+    return points[kept], kept_offsets, flags
+
+
+def require_area(points, offsets):
+    """Refuse a loop whose points all lie on one line."""
+    firsts, loop = offsets[:-1], loop_of(offsets)
+    x, y = (points - points[firsts][loop]).T
+    farthest = np.lexsort((np.hypot(x, y), loop))[offsets[1:] - 1][loop]
+    width = np.maximum.reduceat(np.abs(x * y[farthest] - y * x[farthest]), firsts)
+    length = np.maximum.reduceat(x * x + y * y, firsts)
+    for i in np.flatnonzero(width <= COINCIDENT * length):
+        n = int(offsets[i + 1] - offsets[i])
+        raise ShapeError(f"{spoken(i, len(firsts))}must enclose an area, got {n} points on one line")
+
+
+def require_apart(points, offsets):
+    """Refuse loops that cross or touch themselves or each other."""
+    after = following(offsets)
+    for i, j in crossings(points, after)[:1]:
+        x, y = meeting_point(points[i], points[after[i]], points[j], points[after[j]])
+        first, second = sorted(loop_of(offsets)[[i, j]].tolist())
+        which = f"loops {first} and {second} must not cross or touch each other"
+        if first == second:
+            which = f"{spoken(first, len(offsets) - 1)}must not cross or touch itself"
+        raise ShapeError(f"{which}, got a crossing near ({x:.6g}, {y:.6g})")
+
+
+def meeting_point(a, b, c, d):
+    """Where the edges from a to b and from c to d cross; c, if they are parallel."""
+    (ux, uy), (vx, vy), (wx, wy) = b - a, d - c, c - a
+    across = ux * vy - uy * vx
+    return c if across == 0 else a + (b - a) * ((wx * vy - wy * vx) / across)
+
+
+def spoken(i, many):
+    """How a refusal begins: with the number of the loop, if there are several."""
+    return f"loop {i} " if many > 1 else ""
