@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The virtual environments: each made once, and again when what it should hold changes."""
+
+import hashlib
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import BUILD, CHECKOUT, SetupError
+from .interpreters import any_python, python_with_wheel
+from .steps import locked, show, step
+
+# What the bpy wheel loads and a machine without a desktop lacks.
+SYSTEM_LIBRARIES = ["libxrender1", "libxfixes3", "libxi6", "libxkbcommon0", "libsm6", "libgl1"]
+
+
+@dataclass(frozen=True)
+class Environment:
+    """A virtual environment: where it is, which Python makes it, what pip installs."""
+
+    title: str
+    folder: Path
+    interpreter: Callable
+    install: tuple
+
+    @property
+    def python(self):
+        return self.folder / "bin" / "python"
+
+    @property
+    def stamp(self):
+        """What the environment should hold, as a hash: the project's table without its tools' settings counts."""
+        project = (CHECKOUT / "pyproject.toml").read_text().partition("[tool.pytest")[0]
+        return hashlib.sha256(repr((project, self.install, str(CHECKOUT))).encode()).hexdigest()
+
+    @property
+    def ready(self):
+        stamp = self.folder / "stamp"
+        return stamp.exists() and stamp.read_text() == self.stamp
+
+
+BLENDER = Environment("Python with the bpy wheel", CHECKOUT / ".venv", python_with_wheel, ("-e", ".[blender,test]"))
+PLAIN = Environment("plain Python", BUILD / "venv" / "plain", any_python, ("-e", ".[test]"))
+NUMPY = Environment("Python with NumPy alone", BUILD / "venv" / "numpy", any_python, ("numpy", "pytest", "hypothesis"))
+
+
+def made(environment):
+    """The environment's Python, after making the environment if need be."""
+    if not environment.ready:
+        with locked(BUILD / "venv" / f"{environment.folder.name}.lock"):
+            if not environment.ready:
+                make(environment)
+    return environment.python
+
+
+def make(environment):
+    shutil.rmtree(environment.folder, ignore_errors=True)
+    step(f"{environment.title}: virtual environment", [environment.interpreter(), "-m", "venv", environment.folder])
+    pip = [environment.python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    step(
+        f"{environment.title}: install {' '.join(environment.install)}",
+        [*pip, *environment.install],
+        "If the package index cannot be reached, try again with a network.",
+        cwd=CHECKOUT,
+    )
+    if environment is BLENDER:
+        prove_bpy(environment.python)
+    (environment.folder / "stamp").write_text(environment.stamp)
+
+
+def prove_bpy(python):
+    """Import bpy once: pip installs no wheel in silence, and a bare machine lacks libraries that the wheel loads."""
+    trial = import_bpy(python)
+    if "cannot open shared object file" in trial.stderr:
+        install_system_libraries()
+        trial = import_bpy(python)
+    if trial.returncode:
+        reason = (trial.stderr.strip().splitlines() or ["no reason given"])[-1]
+        raise SetupError(f"The bpy wheel cannot be imported: {reason}")
+
+
+def import_bpy(python):
+    return subprocess.run(
+        [python, "-c", "import bpy, os; os._exit(0)"], capture_output=True, text=True, timeout=120, cwd=BUILD
+    )
+
+
+def install_system_libraries():
+    line = ["apt-get", "install", "--yes", "--no-install-recommends", *SYSTEM_LIBRARIES]
+    way_out = f"The bpy wheel needs libraries of the system. On Debian and Ubuntu: sudo {' '.join(line)}"
+    if os.geteuid() or not shutil.which("apt-get"):
+        raise SetupError(way_out)
+    show("The bpy wheel needs libraries of the system")
+    step("apt-get update", ["apt-get", "update"], way_out)
+    step(" ".join(line), line, way_out, env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"})

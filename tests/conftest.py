@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One suite for every host: plain Python, the bpy wheel, the real Blender, the installed zip.
+
+Where there is a Blender, the extension is enabled before the tests are read: the installed one if there is one, else
+this checkout, linked into Blender's extensions, which makes it a live extension. `import sweep_addon` is then the
+library inside the extension, so that no module exists twice. Blender's user folder is a temporary one.
+
+A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
+A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more hypothesis examples.
+"""
+
+import atexit
+import importlib.util
+import os
+import shutil
+import sys
+import tempfile
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+
+import pytest
+from hypothesis import settings
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+EXTENSION = "bl_ext.user_default.sweep_addon"
+FULL = os.environ.get("SWEEP_FULL") == "1"
+
+settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=50)
+settings.register_profile("full", deadline=None, database=None, derandomize=True, max_examples=1000)
+settings.load_profile("full" if FULL else "usual")
+
+
+def isolate_user_folder():
+    """Give the Blender to come a user folder of its own: it reads these variables only when it starts."""
+    folder = os.environ.get("SWEEP_BLENDER_USER")
+    if not folder:
+        folder = tempfile.mkdtemp(prefix="sweep-tests-")
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    os.environ["BLENDER_USER_RESOURCES"] = folder
+    os.environ.pop("BLENDER_USER_EXTENSIONS", None)
+
+
+if "bpy" not in sys.modules:  # else this is a running Blender, started with the folder it should have
+    isolate_user_folder()
+
+
+class InsideTheExtension:
+    """An import finder for which `sweep_addon.x` is the module inside the extension."""
+
+    @classmethod
+    def find_spec(cls, name, path=None, target=None):
+        if name.partition(".")[0] == "sweep_addon":
+            return ModuleSpec(name, cls)
+
+    @staticmethod
+    def create_module(spec):
+        return None
+
+    @staticmethod
+    def exec_module(module):
+        name = module.__name__
+        sys.modules[name] = importlib.import_module(f"{EXTENSION}.{name}")
+
+
+def pytest_configure(config):
+    if importlib.util.find_spec("bpy"):
+        config.sweep_place = enable_extension()
+        sys.meta_path.insert(0, InsideTheExtension)
+    else:
+        sys.path.insert(0, str(CHECKOUT))
+
+
+def enable_extension():
+    import bpy  # before addon_utils, which cannot be imported without it
+
+    import addon_utils
+
+    repositories = bpy.context.preferences.extensions.repos
+    place = Path(next(r for r in repositories if r.module == "user_default").directory, "sweep_addon")
+    if not place.exists():
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.symlink_to(CHECKOUT, target_is_directory=True)
+    addon_utils.enable(EXTENSION, default_set=True, handle_error=fail)
+    return place
+
+
+def fail(error):
+    raise pytest.UsageError(f"the extension does not register: {error}") from error
+
+
+def pytest_unconfigure(config):
+    """Take the extension off: a handler left registered keeps the 4.5 wheel from ever exiting."""
+    if hasattr(config, "sweep_place"):
+        import addon_utils
+
+        addon_utils.disable(EXTENSION, default_set=True)
+
+
+def pytest_report_header(config):
+    if not hasattr(config, "sweep_place"):
+        return "sweep: no Blender here; tests that need one are skipped"
+    import bpy
+
+    kind = "this checkout" if config.sweep_place.is_symlink() else "the installed zip"
+    return f"sweep: Blender {bpy.app.version_string}, the extension is {kind}"
+
+
+def pytest_collection_modifyitems(items):
+    if not FULL:
+        for item in items:
+            if item.get_closest_marker("large"):
+                item.add_marker(pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)"))
+
+
+@pytest.fixture
+def scene():
+    """An empty scene in Blender, the extension enabled."""
+    if not importlib.util.find_spec("bpy"):
+        pytest.skip("needs Blender, and this host has none")
+    import bpy
+
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    return bpy.context.scene
