@@ -190,7 +190,7 @@ def coerce_array(p, value):
     except (TypeError, ValueError):
         array = None
     row = (p.columns,) if p.columns else ()
-    fits = array and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
+    fits = array is not None and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
     finite = fits and np.isfinite(array.values).all()
     require(finite, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
     return array

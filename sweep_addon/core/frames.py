@@ -1,0 +1,212 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Frames along a trajectory: the local axes e1 e2 e3 in which a contour is placed.
+
+A frame is one scalar: the angle of e2 about the tangent, measured from the rotation-minimizing normal. Twist, holonomy
+and extra turns are all added to it.
+"""
+
+from enum import Enum
+from math import tau
+
+import numpy as np
+
+from .parameters import ShapeError, declared, parameter, require
+from .trajectories.curve import unit
+
+STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
+
+
+class Continuation(Enum):
+    SMOOTH = "The normal keeps its side through inflections and turns evenly over straight stretches"
+    EXACT = "As defined: the normal changes its side at once at an inflection"
+    REFUSE = "A trajectory with a straight place is refused"
+
+
+@declared
+class RotationMinimizing:
+    """Without spin about the tangent"""
+
+    extra_turns: int = parameter(0, "Whole turns added along the trajectory", minimum=-1000, maximum=1000)
+
+    def angles(self, stations, normals, holonomy):
+        """The angle of e2 from the rotation-minimizing normals, (n,), and what a person should be told."""
+        return (self.extra_turns * tau - wrapped(holonomy)) * stations.t, ()
+
+
+@declared
+class Frenet:
+    """Towards the centre of curvature"""
+
+    continuation: Continuation = parameter(Continuation.SMOOTH, "What to do where the curvature vanishes")
+
+    def angles(self, stations, normals, holonomy):
+        """The angle of the principal normal from the rotation-minimizing normals, (n,), and a warning."""
+        bend = turned(stations.bend, stations.leave, stations.tangent, back=True)
+        curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
+        found = signed_angle(normals, bend, stations.leave)
+        if not curved.any():
+            return np.zeros(len(found)), ("Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",)
+        filled = fill(stations, found, curved, holonomy)
+        flips = flipping(filled, stations, holonomy)
+        told = ()
+        if not curved.all() or flips.any():
+            place = stations.u[np.argmax(~curved if not curved.all() else flips)]
+            told = (f"Frame: the curvature vanishes near u = {place:.4g}, where the Frenet frame is not defined.",)
+            if self.continuation is Continuation.REFUSE:
+                raise ShapeError(f"must be another where the curvature vanishes, as near u = {place:.4g}", "frame")
+        if self.continuation is Continuation.SMOOTH:
+            filled = fill(stations, found, curved, holonomy, half=True)
+        return filled, told
+
+
+@declared
+class FixedUp:
+    """As level as the tangent allows: the contour's y axis points up"""
+
+    up: tuple[float, float, float] = parameter((0, 0, 1), "Direction that stays up")
+
+    def check(self):
+        require(np.linalg.norm(self.up) > 0, "must have a length", list(self.up), "up")
+
+    def angles(self, stations, normals, holonomy):
+        """The angle of the level normal from the rotation-minimizing normals, (n,), and a warning."""
+        level = np.cross(unit(np.array(self.up)[None]), stations.leave)
+        defined = np.linalg.norm(level, axis=1) > 1e-6
+        found = signed_angle(normals, level, stations.leave)
+        if defined.all():
+            return found, ()
+        place = stations.u[np.argmax(~defined)]
+        told = (f"Frame: the trajectory runs along the up direction at u = {place:.4g}; level has no meaning there.",)
+        return fill(stations, found, defined, holonomy) if defined.any() else np.zeros(len(found)), told
+
+
+Frame = RotationMinimizing | Frenet | FixedUp
+
+
+def axes(frame, stations, twist):
+    """The axes in which the contour is drawn at each station.
+
+    Parameters
+    ----------
+    frame : RotationMinimizing, Frenet or FixedUp
+    stations : Stations
+    twist : (n,) float array
+        An angle in radians about the tangent, added to the frame's own.
+
+    Returns
+    -------
+    e2, e3 : (n, 3) float array
+        The contour's x and y axes, orthonormal and across ``stations.tangent``.
+    told : tuple of str
+        Sentences for people, where the frame is not defined somewhere.
+    """
+    normals, holonomy = rotation_minimizing(stations)
+    angles, told = frame.angles(stations, normals, holonomy)
+    e2 = turned(rotated(normals, stations.leave, angles + twist), stations.leave, stations.tangent)
+    return e2, np.cross(stations.tangent, e2), told
+
+
+def rotation_minimizing(stations):
+    """Normals carried along a trajectory without spin about the tangent.
+
+    Parameters
+    ----------
+    stations : Stations
+
+    Returns
+    -------
+    normals : (n, 3) float array
+        Unit normals across ``stations.leave``, the first as Blender chooses it.
+    holonomy : float
+        The angle in radians by which a closed trajectory brings the normal back turned; 0 for an open one.
+
+    Source
+    ------
+    Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, ACM TOG 27(1), 2008: double reflection,
+    fourth order in the step. At a corner the normal turns with the least rotation that takes one leg to the other,
+    so that a mitred leg keeps its cross-section.
+
+    Each step's turn is measured against an arbitrary normal at each station. All turns are about the tangent, so they
+    add: a cumulative sum replaces the loop.
+    """
+    onward = stations.onward
+    here = slice(0, len(onward))
+    reference = any_normal(stations.leave)
+    chord = stations.points[onward] - stations.points[here]
+    carried = reflect(reference[here], chord)
+    arrived = reflect(stations.leave[here], chord)
+    carried = reflect(carried, stations.arrive[onward] - arrived)
+    carried = turned(carried, stations.arrive[onward], stations.leave[onward])
+    turn = signed_angle(reference[onward], carried, stations.leave[onward])
+    steps = len(stations.u) - 1
+    start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
+    angle = signed_angle(reference[:1], start, stations.leave[:1]) + np.concatenate(([0.0], np.cumsum(turn[:steps])))
+    holonomy = float(turn.sum()) if stations.closed else 0.0
+    return rotated(reference, stations.leave, angle), holonomy
+
+
+def first_normal(tangent):
+    """The normal that Blender's Curve to Mesh starts with: level, or along x where the tangent is vertical."""
+    x, y = tangent[0, :2]
+    normal = np.array([[y, -x, 0.0]]) if abs(x) + abs(y) >= 1e-4 else np.array([[1.0, 0.0, 0.0]])
+    return unit(normal - (normal @ tangent[0]) * tangent)
+
+
+def fill(stations, angles, known, holonomy, half=False):
+    """Angles made continuous over the stations, those not known taken evenly between their neighbours.
+
+    With `half`, an angle and the one opposite are the same, so that an inflection does not turn the frame round.
+    """
+    period = tau / 2 if half else tau
+    at, found = stations.s[known], np.unwrap(angles[known], period=period)
+    if stations.closed:  # once round, the same frame stands at an angle that has grown by minus the holonomy
+        again = found[0] - holonomy
+        again += period * np.round((found[-1] - again) / period)
+        at, found = np.append(at, at[0] + stations.total), np.append(found, again)
+        at, found = np.insert(at, 0, at[-2] - stations.total), np.insert(found, 0, found[-2] - (again - found[0]))
+    return np.interp(stations.s, at, found)
+
+
+def flipping(angles, stations, holonomy):
+    """Where the angle jumps by more than a quarter turn from one station to the next: (n - 1,) or (n,) bool."""
+    step = angles[stations.onward] - angles[: len(stations.onward)]
+    if stations.closed:
+        step[-1] -= holonomy
+    return np.abs(wrapped(step)) > tau / 4
+
+
+def any_normal(tangents):
+    """A unit vector across each tangent, from the axis it is least aligned with."""
+    axis = np.eye(3)[np.abs(tangents).argmin(axis=1)]
+    return unit(np.cross(tangents, axis))
+
+
+def reflect(vectors, normals):
+    """Mirror each vector in the plane across its normal; a zero normal mirrors nothing."""
+    squared = np.einsum("ij,ij->i", normals, normals)
+    factor = 2 * np.einsum("ij,ij->i", vectors, normals) / np.where(squared, squared, 1.0)
+    return vectors - factor[:, None] * normals
+
+
+def turned(vectors, start, end, back=False):
+    """Turn each vector by the least rotation that takes one unit vector to another, or back."""
+    if back:
+        start, end = end, start
+    return reflect(reflect(vectors, start), start + end)
+
+
+def signed_angle(start, end, axis):
+    """The angle in radians that turns each start onto the projection of its end, about a unit axis."""
+    sine = np.einsum("ij,ij->i", np.cross(axis, start), end)
+    return np.arctan2(sine, np.einsum("ij,ij->i", start, end))
+
+
+def rotated(normals, axis, angle):
+    """Turn unit normals about the unit axes they are perpendicular to."""
+    return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * np.cross(axis, normals)
+
+
+def wrapped(angle):
+    """An angle between minus and plus half a turn."""
+    return (angle + tau / 2) % tau - tau / 2

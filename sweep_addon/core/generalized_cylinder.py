@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The generalized cylinder: G(u, v) = t(u) + Sx(u) cx(v) e2(u) + Sy(u) cy(v) e3(u)."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from . import caps
+from .along import Along, tapers, tips
+from .contours import Circle, Contour
+from .ends import End, Flat, Taper
+from .frames import Frame, RotationMinimizing, axes
+from .grid import Chart, Grid
+from .laws import Law
+from .mesh import Mesh
+from .parameters import angle, declared, parameter, require
+from .sampling import Sampling, Tolerance, place
+from .trajectories import Helix, Trajectory
+from .trajectories.curve import unit
+
+MOST_VERTICES = 20_000_000
+CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
+
+
+@declared
+class GeneralizedCylinder:
+    """A contour that moves along a trajectory, scaled and turned on the way
+
+    The contour's own x and y axes lie along e2 and e3 of the trajectory's frame, its origin on the trajectory.
+
+    Source
+    ------
+    The lecture's G(u, n) = t(u) + Sx(u) cx(n) e2(u) + Sy(u) cy(n) e3(u).
+
+    Examples
+    --------
+    A tube's volume is the area of its contour times the length of its trajectory (Weyl's tube formula).
+
+    >>> from sweep_addon.core.trajectories import Line
+    >>> mesh = GeneralizedCylinder(Circle(0.5, points=64), Line(end=(0, 0, 2))).mesh()
+    >>> round(mesh.volume() / (Circle(0.5, points=64).section().area * 2), 12)
+    1.0
+    >>> len(mesh.boundary_edges()), mesh.euler_characteristic()
+    (0, 2)
+    """
+
+    contour: Contour = parameter(Circle(0.1), "What moves: a closed outline", accepts=("CURVE", "FONT"))
+    trajectory: Trajectory = parameter(Helix(), "The path along which it moves", accepts=("CURVE",))
+    samples: Sampling = parameter(Tolerance(), "How many contours stand along the trajectory")
+    frame: Frame = parameter(RotationMinimizing(), "The axes that carry the contour", group="Frame")
+    scale_x: Law = parameter(1.0, "Scale along e2", group="Along the Path")
+    scale_y: Law = parameter(1.0, "Scale along e3", group="Along the Path")
+    twist: Law = angle(0.0, "Turn about the tangent", group="Along the Path")
+    start: End = parameter(Flat(), "What closes the start", group="Ends")
+    end: End = parameter(Flat(), "What closes the end", group="Ends")
+
+    def mesh(self, dtype=np.float64):
+        """The surface as a mesh: closed, manifold and outward unless an end is open.
+
+        Parameters
+        ----------
+        dtype : numpy dtype
+            Of the vertices; single precision is what Blender keeps and takes half the time.
+
+        Returns
+        -------
+        Mesh
+
+        Raises
+        ------
+        ShapeError
+            Where a law is not finite or leaves no area, or where there would be too many vertices.
+        """
+        section, closed, told = self.contour.section(), self.trajectory.closed, ()
+        ends = (Flat(), Flat()) if closed else (self.start, self.end)
+        if closed and (isinstance(self.start, Taper) or isinstance(self.end, Taper)):
+            told += ("Ends: a closed trajectory has none, so nothing tapers.",)
+        along = Along(self.trajectory, self.scale_x, self.scale_y, self.twist, tapers(*ends))
+        reach = 0.0 if along.is_constant else float(np.linalg.norm(section.points, axis=1).max())
+        stations = stand(self.samples, along, reach)
+        vertices = len(stations.s) * len(section.points)
+        require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", f"{vertices:,}", "samples")
+
+        scale_x, scale_y, twist = along.at(stations.s)
+        points, mirrored = tips(scale_x, scale_y)
+        if mirrored:
+            section, scale_x = section.mirrored(), -scale_x
+        e2, e3, said = axes(self.frame, stations, twist)
+        grid = Grid(
+            rings=len(stations.s),
+            tips=tuple(np.flatnonzero(points).tolist()),
+            closed=closed,
+            creases=tuple(np.flatnonzero(np.einsum("ij,ij->i", stations.arrive, stations.leave) < CREASE).tolist()),
+            offsets=tuple(section.offsets.tolist()),
+            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
+            caps=tuple(
+                caps.faces(section) if isinstance(end, Flat) and not (closed or points[station]) else None
+                for end, station in zip(ends, (0, -1), strict=True)
+            ),
+        )
+        rings = np.stack((stations.points, *mitred(stations, e2 * scale_x[:, None], e3 * scale_y[:, None])))
+        scales = np.stack((scale_x, scale_y), axis=1)
+        chart = Chart(
+            grid,
+            stations.u,
+            stations.s,
+            stations.total,
+            section.lengths_around(np.abs(scales[~points]).mean(axis=0)),
+            tuple(section.points * scales[station] for station in (0, -1)),
+        )
+        return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said)
+
+
+@lru_cache(maxsize=16)
+def stand(samples, along, reach):
+    """The stations of a sweep, the same for all contours of one reach."""
+    if along.trajectory.closed:
+        along.check_closed()
+    return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
+
+
+def mitred(stations, *axes):
+    """Axes (n, 3) stretched at corners by 1 / cos(half the turn), in the plane of the turn and across the bisector.
+
+    So the ring lies in the bisector plane and both legs keep their cross-section.
+    """
+    stretch = 1 / np.einsum("ij,ij->i", stations.tangent, stations.leave) - 1
+    across = unit(stations.leave - stations.arrive)
+    return [axis + (stretch * np.einsum("ij,ij->i", axis, across))[:, None] * across for axis in axes]
+
+
+def drawn(rings, section, tips, dtype):
+    """The vertices, column by column, tips last: one matrix product of the section with the axes of the stations."""
+    whole = rings[:, ~tips].astype(dtype)
+    weights = np.column_stack((np.ones(len(section)), section)).astype(dtype)
+    grid = (weights @ whole.reshape(3, -1)).reshape(-1, 3)
+    return np.concatenate((grid, rings[0, tips].astype(dtype))) if tips.any() else grid

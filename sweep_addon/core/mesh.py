@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh of arrays, and what can be measured on it."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Topology:
+    """Which vertices make which faces and edges, whatever their places.
+
+    Parameters
+    ----------
+    corners : (c,) int32 array
+        The vertex at each corner of each face, one face after the other, counter-clockwise from outside.
+    offsets : (f + 1,) int32 array
+        Face ``i`` has ``corners[offsets[i]:offsets[i + 1]]``.
+    edges : (e, 2) int32 array
+        The vertices of each edge.
+    corner_edges : (c,) int32 array
+        The edge from each corner to the next of its face.
+    sharp : (e,) bool array
+        Edges that are not to be shaded smooth.
+    material : (f,) int32 array
+        The material slot of each face.
+    """
+
+    corners: np.ndarray
+    offsets: np.ndarray
+    edges: np.ndarray
+    corner_edges: np.ndarray
+    sharp: np.ndarray
+    material: np.ndarray
+
+    @cached_property
+    def following(self):
+        """(c,) int array: the corner that follows each corner in its face."""
+        following = np.arange(1, len(self.corners) + 1)
+        following[self.offsets[1:] - 1] = self.offsets[:-1]
+        return following
+
+    @cached_property
+    def fans(self):
+        """(t, 3) int array: the faces as triangles about their first corners."""
+        face = np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets))
+        corner = np.arange(len(self.corners))
+        inner = (corner > self.offsets[face]) & (corner < self.offsets[face + 1] - 1)
+        first, here = self.offsets[face[inner]], corner[inner]
+        return self.corners[np.stack((first, here, here + 1), axis=1)]
+
+    def uses(self):
+        """Each pair of vertices that faces share, (k, 2), and by how many faces in either direction: two (k,)."""
+        start, end = self.corners.astype(np.int64), self.corners[self.following].astype(np.int64)
+        low, high = np.minimum(start, end), np.maximum(start, end)
+        size = int(self.corners.max(initial=0)) + 1
+        keys, which = np.unique(low * size + high, return_inverse=True)
+        forward = np.bincount(which.ravel(), weights=start < end, minlength=len(keys)).astype(int)
+        total = np.bincount(which.ravel(), minlength=len(keys))
+        return np.stack((keys // size, keys % size), axis=1), forward, total - forward
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Vertices and faces, with what is known about them.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float array
+        Places in metres.
+    topology : Topology
+    chart : object, optional
+        The source of texture coordinates and attributes: ``uv()``, ``attributes()`` and ``key()``.
+    told : tuple of str
+        Sentences about the shape for people: what was decided where the parameters left it open.
+    """
+
+    vertices: np.ndarray
+    topology: Topology
+    chart: object = None
+    told: tuple = field(default=())
+
+    @property
+    def corners(self):
+        return self.topology.corners
+
+    @property
+    def offsets(self):
+        return self.topology.offsets
+
+    @property
+    def edges(self):
+        return self.topology.edges
+
+    @cached_property
+    def uv(self):
+        """(c, 2) float array: texture coordinates of each corner, in metres."""
+        return self.chart.uv()
+
+    @cached_property
+    def attributes(self):
+        """Values at each vertex by name: dict of (n,) float arrays."""
+        return self.chart.attributes()
+
+    def volume(self):
+        """The enclosed volume in cubic metres, negative where faces look inwards.
+
+        Source: the divergence theorem, a signed tetrahedron for each triangle.
+        """
+        a, b, c = (self.vertices - self.vertices.mean(axis=0))[self.topology.fans.T]
+        return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
+
+    def area(self):
+        """The area of all faces in square metres; a bent face counts as its triangles."""
+        a, b, c = self.vertices[self.topology.fans.T]
+        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
+
+    def boundary_edges(self):
+        """Edges of one face alone: (k, 2) int array of vertices, empty where the mesh is closed."""
+        pairs, forward, backward = self.topology.uses()
+        return pairs[forward + backward == 1]
+
+    def non_manifold_edges(self):
+        """Edges of more than two faces, or of two that look opposite ways: (k, 2) int array of vertices."""
+        pairs, forward, backward = self.topology.uses()
+        return pairs[(forward > 1) | (backward > 1)]
+
+    def euler_characteristic(self):
+        """Vertices - edges + faces: 2 for a ball, 0 for a ring, 2 - 2 g for one closed surface of genus g."""
+        pairs, _, _ = self.topology.uses()
+        return len(self.vertices) - len(pairs) + len(self.offsets) - 1

@@ -1,0 +1,195 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sampling: where along a trajectory the contour is placed, and what the trajectory is like there."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .parameters import count, declared, length, require
+from .trajectories.arc_length import arc_length
+from .trajectories.curve import unit
+
+MOST_STATIONS = 200_000
+WIDEST_TURN = np.radians(30)  # a bend or a twist in one step; more looks broken at any tolerance
+FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
+SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
+
+
+@declared
+class Tolerance:
+    """As few contours as keep chords within a distance of the trajectory"""
+
+    chord: float = length(0.001, "Largest distance of a chord from the trajectory", minimum=1e-9, soft_maximum=0.1)
+
+
+@declared
+class Count:
+    """A number of contours, evenly spaced by arc length; corners are always among them"""
+
+    contours: int = count(64, "Contours along the trajectory", minimum=2, maximum=MOST_STATIONS, soft_maximum=1000)
+
+
+Sampling = Tolerance | Count
+
+
+@dataclass(frozen=True, eq=False)
+class Stations:
+    """The places along a trajectory where the contour stands.
+
+    Parameters
+    ----------
+    u, s : (n,) float array
+        The trajectory's own parameter and the arc length in metres.
+    points : (n, 3) float array
+        The trajectory there; a closed one does not repeat its first point.
+    arrive, leave : (n, 3) float array
+        Unit tangents before and after each place; they differ at corners.
+    bend : (n, 3) float array
+        The curvature vector in 1/m, towards the centre of curvature; at a corner, across the bisector.
+    total : float
+        The length of the whole trajectory in metres.
+    closed : bool
+        Whether the last place leads to the first.
+    """
+
+    u: np.ndarray
+    s: np.ndarray
+    points: np.ndarray
+    arrive: np.ndarray
+    leave: np.ndarray
+    bend: np.ndarray
+    total: float
+    closed: bool
+
+    @property
+    def t(self):
+        """From 0 at the start to 1 at the end, by arc length: (n,)."""
+        return self.s / self.total
+
+    @cached_property
+    def tangent(self):
+        """The unit tangent e1: at a corner the bisector, in whose plane the contour is mitred."""
+        return unit(self.arrive + self.leave)
+
+    @property
+    def onward(self):
+        """Index of the station each step leads to: (n - 1,), or (n,) for a closed trajectory."""
+        following = np.arange(1, len(self.u) + 1)
+        return np.append(following[:-1], 0) if self.closed else following[:-1]
+
+
+def place(trajectory, sampling, marks=(), extra=None):
+    """Choose the stations of a sweep.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    sampling : Tolerance or Count
+    marks : sequence of float
+        Arc lengths in metres where there must be a station whatever the sampling says.
+    extra : callable, optional
+        From arc lengths (k,) to additional density (k,), in the unit of curvature, 1/m: what a twist or a change of
+        scale asks for beyond the bends of the trajectory.
+
+    Returns
+    -------
+    Stations
+    """
+    measure = arc_length(trajectory)
+    ends = measure.at(np.concatenate((trajectory.corners(), trajectory.domain)))
+    ends = np.unique(np.concatenate((ends, marks)).clip(0.0, measure.total))
+    ends = ends[np.concatenate(([True], np.diff(ends) > SHORTEST_STEP * measure.total))]
+    ends[-1] = measure.total
+    if isinstance(sampling, Count):
+        s = spread_evenly(ends, sampling.contours - (not trajectory.closed))
+    else:
+        s = spread(trajectory, ends, sampling.chord, extra)
+    return stations(trajectory, s[:-1] if trajectory.closed else s)
+
+
+def spread_evenly(ends, steps):
+    """Arc lengths with a number of steps shared out among the pieces between the ends by their lengths."""
+    lengths = np.diff(ends)
+    shares = np.maximum(1, np.round(lengths / lengths.sum() * steps)).astype(int)
+    return pieces(ends, shares, lambda piece, fraction: ends[piece] + fraction * lengths[piece])
+
+
+def spread(trajectory, ends, chord, extra):
+    """Arc lengths that equidistribute the square root of the curvature, to which a chord's distance is bound.
+
+    A chord of length h over curvature k is k h^2 / 8 away from the curve; equal distances need steps as 1 / sqrt(k).
+    """
+    measure = arc_length(trajectory)
+    grid = np.unique(np.concatenate((measure.lengths, ends)))
+    if extra is not None:
+        grid = np.unique(np.concatenate((grid, np.linspace(0.0, measure.total, 2049))))
+    middle, width = (grid[1:] + grid[:-1]) / 2, np.diff(grid)
+    curvature = np.linalg.norm(bend(trajectory, measure.parameter(middle)), axis=1)
+    density = np.maximum(np.sqrt(curvature / (8 * chord)), curvature / WIDEST_TURN)
+    if extra is not None:
+        density = np.hypot(density, extra(middle, chord))
+    reached = np.concatenate(([0.0], np.cumsum(density * width)))
+    mean = reached[-1] / measure.total
+    reached += FLOOR * mean * grid
+    at_ends = np.interp(ends, grid, reached)
+    # the floor is not counted, only used to place: straight pieces need one step
+    wanted = np.diff(at_ends - FLOOR * mean * ends)
+    steps = np.maximum(1, np.ceil(wanted - 1e-9)).astype(np.int64)
+    most = f"must be larger for this trajectory, which needs {steps.sum():,} contours of {MOST_STATIONS:,} at most"
+    require(steps.sum() <= MOST_STATIONS, most, chord, "samples.chord")
+
+    def arc_lengths(piece, fraction):
+        return np.interp(at_ends[piece] + fraction * np.diff(at_ends)[piece], reached, grid)
+
+    def even(piece, fraction):
+        return ends[piece] + fraction * np.diff(ends)[piece]
+
+    return pieces(ends, steps, arc_lengths if mean > 0 else even)
+
+
+def pieces(ends, steps, arc_lengths):
+    """All stations of all pieces, each cut into its number of steps; the ends themselves are exact."""
+    first = np.cumsum(steps) - steps
+    piece = np.repeat(np.arange(len(steps)), steps)
+    within = np.arange(steps.sum()) - first[piece]
+    s = arc_lengths(piece, within / steps[piece])
+    s[first] = ends[:-1]
+    return np.append(s, ends[-1])
+
+
+def bend(trajectory, u):
+    """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared."""
+    first, second = trajectory.derivative(u, 1), trajectory.derivative(u, 2)
+    squared = np.einsum("ij,ij->i", first, first)[:, None]
+    squared = np.where(squared > 0, squared, np.inf)
+    along = np.einsum("ij,ij->i", first, second)[:, None]
+    return (second - along / squared * first) / squared
+
+
+def stations(trajectory, s):
+    """What the trajectory is like at arc lengths s."""
+    measure = arc_length(trajectory)
+    u = measure.parameter(s)
+    u = snapped(u, trajectory.joints())
+    leave = trajectory.tangents(u)
+    arrive = trajectory.tangents(u, before=True)
+    if trajectory.closed:
+        arrive[:1] = trajectory.tangents(np.array(trajectory.domain[1:]), before=True)
+    else:
+        arrive[0], leave[-1] = leave[0], arrive[-1]
+    bends = bend(trajectory, u)
+    turn = leave - arrive
+    corner = np.linalg.norm(turn, axis=1) > 1e-6
+    bends[corner] = turn[corner]
+    arrive[~corner] = leave[~corner]
+    return Stations(u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total, trajectory.closed)
+
+
+def snapped(u, joints):
+    """Parameters that rounding put beside a joint, put on it: a corner has a tangent on either side."""
+    near = joints[np.clip(np.searchsorted(joints, u), 1, len(joints) - 1) - 1]
+    far = joints[np.clip(np.searchsorted(joints, u), 0, len(joints) - 1)]
+    joint = np.where(np.abs(u - near) < np.abs(u - far), near, far)
+    return np.where(np.abs(u - joint) <= 1e-9 * (joints[-1] - joints[0]), joint, u)

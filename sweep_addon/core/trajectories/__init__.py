@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Trajectories: the curves along which a generator moves."""
+
+from .bezier import Bezier
+from .helix import Helix
+from .line import Line
+from .nurbs import Nurbs
+from .polyline import Polyline
+from .torus_knot import TorusKnot
+
+Trajectory = Line | Helix | TorusKnot | Polyline | Bezier | Nurbs
+
+__all__ = ["Bezier", "Helix", "Line", "Nurbs", "Polyline", "TorusKnot", "Trajectory"]

@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A trajectory of cubic Bezier segments."""
+
+import numpy as np
+
+from ..parameters import Array, declared, parameter, require
+from .curve import Trajectory
+
+DEFAULT = ((0, 0, 0), (0, 0, 0.5), (0, 0.5, 1), (0, 1, 1))
+
+
+@declared
+class Bezier(Trajectory):
+    """A chain of cubic Bezier segments
+
+    The points are knot, handle, handle, knot, and so on: 3 k + 1 of them, or 3 k where the chain is closed and the
+    last handle leads to the first knot. u counts the segments. Where handles meet at an angle, the corner is mitred.
+
+    Examples
+    --------
+    >>> Bezier([(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0)]).evaluate([0.5]).tolist()
+    [[1.5, 0.0, 0.0]]
+    """
+
+    points: Array = parameter(DEFAULT, "Knots with their handles", columns=3, unit="length")
+    closed: bool = parameter(False, "The last knot leads back to the first")
+
+    def check(self):
+        rest = 0 if self.closed else 1
+        fits = len(self.points) > 3 - self.closed and len(self.points) % 3 == rest
+        form = "a multiple of 3" if self.closed else "1 more than a multiple of 3"
+        require(fits, f"must be {form}: knot, handle, handle, ...", len(self.points), "points")
+        moves = np.abs(np.diff(self.segments, axis=1)).max(axis=(1, 2))
+        still = moves <= 1e-9 * max(np.ptp(self.points.values, axis=0).max(), 1e-300)
+        require(not still.any(), "must have no segment without length", f"segment {int(np.argmax(still)) + 1}", "points")
+
+    @property
+    def segments(self):
+        """The control points, segment by segment: (k, 4, 3)."""
+        points = self.points.values
+        chain = np.concatenate((points, points[:1])) if self.closed else points
+        return np.stack([chain[i : len(chain) - 3 + i : 3] for i in range(4)], axis=1)
+
+    @property
+    def domain(self):
+        return 0.0, float(len(self.points) // 3)
+
+    def joints(self):
+        return np.arange(self.domain[1] + 1)
+
+    def evaluate(self, u):
+        return self.bernstein(u, self.segments, False)
+
+    def derivative(self, u, order=1, before=False):
+        control = self.segments
+        for degree in range(3, 3 - order, -1):
+            control = degree * np.diff(control, axis=1) if degree else np.zeros_like(control)
+        return self.bernstein(u, control, before)
+
+    def bernstein(self, u, control, before):
+        """The polynomials with these control points, by de Casteljau's corner cutting."""
+        u = np.asarray(u, dtype=float)
+        index = np.clip(np.ceil(u) - 1 if before else np.floor(u), 0, self.domain[1] - 1).astype(int)
+        along = (u - index)[:, None, None]
+        points = control[index]
+        while points.shape[1] > 1:
+            points = (1 - along) * points[:, :-1] + along * points[:, 1:]
+        return points[:, 0]

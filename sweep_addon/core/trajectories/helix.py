@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A helical trajectory."""
+
+from math import pi, tau
+
+import numpy as np
+
+from ..parameters import declared, length, parameter
+from .curve import Trajectory
+
+
+@declared
+class Helix(Trajectory):
+    """A helix about the z axis
+
+    u is the angle in radians, from 0 on the x axis to 2 pi times the turns. A negative pitch makes it left-handed.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> helix = Helix(radius=3.0, pitch=8 * np.pi, turns=1.0)
+    >>> round(helix.length() / (10 * np.pi), 12)
+    1.0
+    """
+
+    radius: float = length(1.0, "Distance from the axis")
+    pitch: float = parameter(0.5, "Rise in one turn", unit="length")
+    turns: float = parameter(5.0, "Number of turns", above=0.0, maximum=10_000.0, soft_maximum=50.0)
+
+    @property
+    def domain(self):
+        return 0.0, tau * self.turns
+
+    def evaluate(self, u):
+        u = np.asarray(u, dtype=float)
+        return np.stack((self.radius * np.cos(u), self.radius * np.sin(u), self.pitch * u / tau), axis=1)
+
+    def derivative(self, u, order=1, before=False):
+        phase = np.asarray(u, dtype=float) + order * pi / 2
+        rise = self.pitch / tau if order == 1 else 0.0
+        return np.stack((self.radius * np.cos(phase), self.radius * np.sin(phase), np.full(len(phase), rise)), axis=1)

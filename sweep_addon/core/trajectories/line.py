@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A straight trajectory."""
+
+import numpy as np
+
+from ..parameters import declared, parameter, require
+from .curve import Trajectory
+
+
+@declared
+class Line(Trajectory):
+    """A straight line
+
+    u runs from 0 at the start to 1 at the end.
+
+    Examples
+    --------
+    >>> Line(start=(0, 0, 0), end=(0, 3, 4)).length()
+    5.0
+    """
+
+    start: tuple[float, float, float] = parameter((0, 0, 0), "Where it starts", unit="length")
+    end: tuple[float, float, float] = parameter((0, 0, 1), "Where it ends", unit="length")
+
+    domain = (0.0, 1.0)
+
+    def check(self):
+        require(self.start != self.end, "must differ from the start", list(self.end), "end")
+
+    def evaluate(self, u):
+        u = np.asarray(u, dtype=float)[:, None]
+        return (1 - u) * np.array(self.start) + u * np.array(self.end)
+
+    def derivative(self, u, order=1, before=False):
+        direction = np.subtract(self.end, self.start) if order == 1 else np.zeros(3)
+        return np.tile(direction, (len(u), 1))

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A trajectory as a non-uniform rational B-spline."""
+
+from math import comb
+
+import numpy as np
+
+from ..parameters import Array, count, declared, parameter, require
+from .curve import Trajectory
+
+DEFAULT = ((0, 0, 0), (0, 0, 0.6), (0, 0.4, 1), (0, 1, 1))
+
+
+@declared
+class Nurbs(Trajectory):
+    """A rational B-spline
+
+    u runs over the knots. Without knots of its own, an open curve is clamped: it starts and ends at its outer points,
+    with u from 0 to the number of spans; a closed one has uniform knots.
+
+    Source
+    ------
+    Piegl, Tiller: The NURBS Book, 2nd ed., algorithms A2.2 (basis by the triangle) and A4.2 (rational derivatives).
+
+    Examples
+    --------
+    >>> from math import sqrt
+    >>> quarter = Nurbs([(1, 0, 0), (1, 1, 0), (0, 1, 0)], weights=[1, sqrt(0.5), 1], order=3)
+    >>> round(quarter.length() / (3.141592653589793 / 2), 12)
+    1.0
+    """
+
+    points: Array = parameter(DEFAULT, "Control points", columns=3, unit="length")
+    weights: Array = parameter((), "Weight of each control point; none: all 1")
+    order: int = count(4, "Degree plus one", minimum=2, maximum=12)
+    knots: Array = parameter((), "Knots, as many as points and order together; none: evenly spaced")
+    closed: bool = parameter(False, "The end is the start again")
+
+    def check(self):
+        size = len(self.points)
+        require(self.order <= size, f"must be at most {size}, the number of control points", self.order, "order")
+        weights, knots = self.weights.values, self.knots.values
+        require(len(weights) in (0, size), f"must be {size} numbers, one a control point", len(weights), "weights")
+        require((weights > 0).all(), "must all be more than 0", weights.tolist(), "weights")
+        moving = np.ptp(self.points.values, axis=0).max() > 0
+        require(moving, "must not all be in one place", self.points.values.tolist(), "points")
+        if len(knots):
+            require(not self.closed, "must be left out for a closed curve, whose knots are even", len(knots), "knots")
+            require(len(knots) == size + self.order, f"must be {size + self.order} numbers", len(knots), "knots")
+            require((np.diff(knots) >= 0).all(), "must not fall", knots.tolist(), "knots")
+            spread = knots[size] > knots[self.order - 1]
+            require(spread, "must rise between the first and the last span", knots.tolist(), "knots")
+
+    @property
+    def control(self):
+        """Homogeneous control points (n, 4); those of a closed curve are wrapped round."""
+        weights = self.weights.values if len(self.weights) else np.ones(len(self.points))
+        control = np.column_stack((self.points.values * weights[:, None], weights))
+        return np.concatenate((control, control[: self.order - 1])) if self.closed else control
+
+    @property
+    def knot_vector(self):
+        if len(self.knots):
+            return self.knots.values
+        if self.closed:
+            return np.arange(len(self.points) + 2 * self.order - 1, dtype=float) - (self.order - 1)
+        spans = len(self.points) - self.order + 1
+        return np.clip(np.arange(len(self.points) + self.order) - (self.order - 1.0), 0, spans)
+
+    @property
+    def domain(self):
+        knots, control = self.knot_vector, self.control
+        return float(knots[self.order - 1]), float(knots[len(control)])
+
+    def joints(self):
+        knots = np.unique(self.knot_vector)
+        return knots[(knots >= self.domain[0]) & (knots <= self.domain[1])]
+
+    def evaluate(self, u):
+        return self.derivative(u, 0)
+
+    def derivative(self, u, order=1, before=False):
+        u = np.asarray(u, dtype=float)
+        curve = [self.homogeneous(u, k, before) for k in range(order + 1)]
+        weight = curve[0][:, 3:]
+        found = []
+        for k in range(order + 1):  # Leibniz: (w C)^(k) = A^(k)
+            lower = sum(comb(k, i) * curve[i][:, 3:] * found[k - i] for i in range(1, k + 1))
+            found.append((curve[k][:, :3] - lower) / weight)
+        return found[order]
+
+    def homogeneous(self, u, order, before):
+        """A derivative of the homogeneous curve (n, 4), by de Boor's corner cutting of the differences."""
+        control, knots, degree = self.control, self.knot_vector, self.order - 1
+        for _ in range(order):
+            if degree == 0:
+                return np.zeros((len(u), 4))
+            gap = (knots[degree + 1 : degree + len(control)] - knots[1 : len(control)])[:, None]
+            control = degree * np.diff(control, axis=0) / np.where(gap, gap, np.inf)
+            knots, degree = knots[1:-1], degree - 1
+        side = "left" if before else "right"
+        span = np.clip(np.searchsorted(knots, u, side=side) - 1, degree, len(control) - 1)
+        span = nonempty(knots, span)
+        local = control[span[:, None] + np.arange(-degree, 1)]
+        for level in range(1, degree + 1):
+            index = span[:, None] + np.arange(level - degree, 1)
+            low, high = knots[index], knots[index + degree - level + 1]
+            along = ((u[:, None] - low) / np.where(high > low, high - low, 1.0))[..., None]
+            local = (1 - along) * local[:, :-1] + along * local[:, 1:]
+        return local[:, 0]
+
+
+def nonempty(knots, span):
+    """Spans moved down to the nearest one that has a length."""
+    empty = knots[span + 1] <= knots[span]
+    while empty.any():
+        span = np.where(empty, span - 1, span)
+        empty = (knots[span + 1] <= knots[span]) & (span > 0)
+    return span
+
+
+
+
