@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Descriptions: what a shape may be told, as rows for people and as a JSON Schema for editors."""
+
+from dataclasses import replace
+from enum import EnumMeta
+from math import inf, isfinite
+from typing import NamedTuple, get_args, get_origin
+
+from .forms import VERSION, plain
+from .parameters import Array, inside, parameters, spelled
+
+UNITS = {None: "", "length": "m", "angle": "rad"}
+
+
+class Row(NamedTuple):
+    """One parameter for people."""
+
+    key: str
+    takes: str
+    limits: str
+    default: object
+    doc: str
+
+
+def describe(cls):
+    """What a shape or a kind may be told.
+
+    Parameters
+    ----------
+    cls : class
+        A declared class.
+
+    Returns
+    -------
+    iterator of Row
+        The parameters in the order of their declaration, after each choice those of its kinds, whose keys name the
+        kind: ``contour(circle).radius`` is ``radius`` in the table ``contour`` of a job, whose kind is a circle.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Circle
+    >>> [tuple(row)[:4] for row in describe(Circle)][0]
+    ('radius', 'number', 'm, more than 0', 1.0)
+    """
+    return rows(parameters(cls), "")
+
+
+def rows(declared, path):
+    for p in declared:
+        default = plain(p.default)
+        if isinstance(default, dict):
+            default = default["kind"]
+        yield Row(path + p.name, takes(p), limits(p), default, p.doc)
+        for kind in p.kinds:
+            if not shorthand(kind):
+                yield from rows(inside(p, kind), f"{path}{p.name}({spelled(kind)}).")
+
+
+def shorthand(kind):
+    """The parameter whose value stands for its kind, or None."""
+    return next((p for p in parameters(kind) if p.shorthand), None)
+
+
+def takes(p):
+    """What a parameter takes, in words: names to choose from, or a kind of value."""
+    if p.kinds:
+        held = {kind: f" ({takes(shorthand(kind))})" if shorthand(kind) else "" for kind in p.kinds}
+        return " | ".join(spelled(kind) + value for kind, value in held.items())
+    if isinstance(p.type, EnumMeta):
+        return " | ".join(spelled(member) for member in p.type)
+    row = f"lists of {p.columns} numbers" if p.columns else "numbers"
+    if p.type is Array:
+        return f"list of {row}"
+    if get_origin(p.type) is tuple:
+        inner = get_args(p.type)
+        return f"list of lists of {row}" if inner[1:] == (...,) else f"list of {len(inner)} numbers"
+    return {int: "whole number", float: "number", bool: "true | false", str: "text"}[p.type]
+
+
+def limits(p):
+    """Unit and limits in words: ``m, more than 0, at most 10``."""
+    numeric = p.type in (int, float) or p.is_list or p.kinds or get_origin(p.type) is tuple
+    said = [UNITS[p.unit] if numeric else ""]
+    said.append(f"more than {p.above:g}" if p.above >= p.minimum and isfinite(p.above) else "")
+    said.append(f"at least {p.minimum:g}" if p.minimum > p.above else "")
+    said.append(f"at most {p.maximum:g}" if isfinite(p.maximum) else "")
+    return ", ".join(filter(None, said))
+
+
+def schema(shapes):
+    """A JSON Schema of the jobs that describe one of some shapes.
+
+    Parameters
+    ----------
+    shapes : tuple of shape classes
+
+    Returns
+    -------
+    dict
+        JSON Schema 2020-12; editors complete and check a job by it.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.shapes import SHAPES
+    >>> schema(SHAPES)["anyOf"][0]["properties"]["scale_x"]["anyOf"][0]["type"]
+    'number'
+    """
+    version = {"const": VERSION, "description": "Version of the format"}
+    forms = [table_schema(shape, parameters(shape), {"version": version}) for shape in shapes]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Sweep job", "anyOf": forms}
+
+
+def table_schema(kind, declared, before=None):
+    """The schema of the table of one kind."""
+    known = {**(before or {}), "kind": {"const": spelled(kind)}, **{p.name: value_schema(p) for p in declared}}
+    return {
+        "type": "object",
+        "description": summary(kind),
+        "properties": known,
+        "required": ["kind"],
+        "additionalProperties": False,
+    }
+
+
+def value_schema(p):
+    """The schema of the value of one parameter."""
+    said = {"description": ", ".join(filter(None, (p.doc, limits(p)))), "default": plain(p.default)}
+    if not p.kinds:
+        return said | type_schema(p)
+    tables = [table_schema(kind, inside(p, kind)) for kind in p.kinds]
+    values = [type_schema(shorthand(kind)) for kind in p.kinds if shorthand(kind)]
+    return said | {"anyOf": [*values, {"enum": [spelled(kind) for kind in p.kinds]}, *tables]}
+
+
+def type_schema(p):
+    if isinstance(p.type, EnumMeta):
+        return {"enum": [spelled(member) for member in p.type]}
+    if p.type is Array:
+        row = {"type": "array", "items": {"type": "number"}, "minItems": p.columns, "maxItems": p.columns}
+        return {"type": "array", "items": row if p.columns else {"type": "number"}}
+    if get_origin(p.type) is tuple:
+        inner = get_args(p.type)
+        if inner[1:] == (...,):
+            return {"type": "array", "items": type_schema(replace(p, type=inner[0]))}
+        return {"type": "array", "items": {"type": "number"}, "minItems": len(inner), "maxItems": len(inner)}
+    bounds = {"exclusiveMinimum": (p.above, -inf), "minimum": (p.minimum, -inf), "maximum": (p.maximum, inf)}
+    named = {int: "integer", float: "number", bool: "boolean", str: "string"}[p.type]
+    return {"type": named} | {word: bound for word, (bound, none) in bounds.items() if bound != none}
+
+
+def summary(kind):
+    """The first line of a class's docstring."""
+    return kind.__doc__.strip().partition("\n")[0]

@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A shape survives being written as a job or as Python, and text that is no job is refused in one sentence."""
+
+import runpy
+import tomllib
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import sweep_addon as sw
+from sweep_addon.core import contours, ends, frames, trajectories
+from sweep_addon.core.forms import dump, load, plain, python_source, tables, toml
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.shapes import SHAPES, GeneralizedCylinder
+
+RING = np.stack([np.cos(np.arange(40) / 7), np.sin(np.arange(40) / 7)], axis=1)
+RICH = GeneralizedCylinder(
+    contour=contours.Outline(loops=[RING]),
+    trajectory=trajectories.Polyline([(0, 0, 0), (0, 0, 1), (1, 2, 1 / 3)]),
+    samples={"kind": "count", "contours": 12},
+    frame=frames.FixedUp(up=(0, 0.6, 0.8)),
+    scale_x="1 - t/2",
+    scale_y=0.7,
+    twist=[(0, 1), (1, 2)],
+    end=ends.Taper(length=0.1),
+)
+EXAMPLES = [GeneralizedCylinder(), RICH, *(shape() for shape in SHAPES[1:])]
+
+
+@pytest.mark.parametrize("shape", EXAMPLES)
+def test_a_job_makes_the_shape_again(shape):
+    text = dump(shape)
+    assert load(SHAPES, text) == load(SHAPES, text.encode()) == shape
+    assert text.startswith("version = 1\nkind = ")
+    assert max(map(len, text.splitlines())) <= 120
+
+
+@pytest.mark.parametrize("shape", EXAMPLES)
+def test_python_makes_the_shape_again(shape, tmp_path):
+    line = python_source(shape)
+    script = tmp_path / "script.py"
+    script.write_text(f"shape = {line}\n", encoding="utf-8")
+    assert runpy.run_path(str(script), {"sw": sw})["shape"] == shape
+    assert max(map(len, line.splitlines())) <= 120
+
+
+def test_python_leaves_defaults_out():
+    shape = GeneralizedCylinder(contour=contours.Circle(radius=0.2), twist="2*pi*t", frame="frenet")
+    expected = (
+        'sw.GeneralizedCylinder(contour=sw.contours.Circle(radius=0.2), frame=sw.frames.Frenet(), twist="2*pi*t")'
+    )
+    assert python_source(shape).replace("\n    ", " ").replace("( ", "(").replace(",\n)", ")") == expected
+
+
+def test_a_job_writes_every_parameter():
+    table = tomllib.loads(dump(GeneralizedCylinder()))
+    assert table["contour"] == {"kind": "circle"} | {k: v for k, v in plain(contours.Circle(0.1)).items()}
+    assert {"version", "kind", "trajectory", "scale_x", "twist", "start", "end"} <= table.keys()
+
+
+def test_shorthand_is_read():
+    text = 'kind = "generalized-cylinder"\nframe = "frenet"\nscale_x = 2\nscale_y = "t"\ntwist = [[0, 1], [1, 0]]'
+    assert load(SHAPES, text) == GeneralizedCylinder(frame="frenet", scale_x=2, scale_y="t", twist=[(0, 1), (1, 0)])
+
+
+START = 'kind = "generalized-cylinder"\n'
+
+
+@pytest.mark.parametrize(
+    "text, sentence",
+    {
+        b"a = 1\nb = '\xe9'": "line 2: must be UTF-8, got the byte 0xe9",
+        "a = 1\nb =": "line 2: must be TOML: invalid value",
+        "a = 1\na = 2": "line 2: must be TOML: cannot overwrite a value",
+        "\nx": "line 2: must be TOML: expected '=' after a key in a key/value pair",
+        "": "kind: must be one of ",
+        "version = 2": "version: must be at most 1, the newest that this program reads, got 2",
+        "version = true": "version: must be at most 1, the newest that this program reads, got True",
+        "version = -1": "version: must be at most 1, the newest that this program reads, got -1",
+        START + "radios = 1": "radios: is no parameter of GeneralizedCylinder, which has contour, trajectory, ",
+        START + "contour = {kind = 'circle', radius = -1}": "contour.radius: must be more than 0, got -1",
+        START + "contour = {kind = 'circle', radius = '1 mm'}": "contour.radius: must be a number, got '1 mm'",
+        START + "scale_x = '1 - q'": "scale_x: must be an expression of u, t, s: 'q' at character 5 is no name",
+        START + "scale_x = nan": "scale_x: must be a number, got nan",
+        START + "[contour]\nkind = 'circle'\nradius = " + "9" * 400: "must have numbers of at most 64 bits, got 999",
+        "x = " + "[" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
+        "x = " + "9" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
+        "x = " + "[" * 40 + "]" * 40: "must be nested at most 32 deep, got 33",
+        "\na" + ".a" * 100_000 + " = 1": "line 2: must have at most 32 names in a key",
+    }.items(),
+)
+def test_what_is_no_job_is_refused(text, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        load(SHAPES, text)
+    assert str(refusal.value).startswith(sentence) and "\n" not in str(refusal.value)
+
+
+def test_a_byte_order_mark_is_no_mistake():
+    assert tables(b"\xef\xbb\xbfversion = 1\r\n") == {"version": 1}
+
+
+numbers = st.floats(allow_nan=False, allow_infinity=False) | st.integers(-(2**62), 2**62) | st.booleans()
+texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=30)
+values = st.recursive(numbers | texts, lambda inner: st.lists(inner, max_size=30), max_leaves=60)
+keys = st.from_regex(r"[a-z_][a-z0-9_-]{0,20}", fullmatch=True)
+
+
+@given(st.recursive(st.dictionaries(keys, values, max_size=5), lambda t: st.dictionaries(keys, values | t, max_size=5)))
+def test_any_table_is_read_by_the_standard_library(table):
+    assert tomllib.loads(toml(table)) == table
+
+
+@given(st.text(max_size=60) | st.binary(max_size=60) | st.dictionaries(keys, values, max_size=3).map(toml))
+def test_any_text_is_a_shape_or_refused(text):
+    try:
+        load(SHAPES, text)
+    except ShapeError as refusal:
+        assert "\n" not in str(refusal)
