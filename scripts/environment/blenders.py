@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import CHECKOUT, SetupError, debian, venvs
+from .steps import show
 
 OLDEST = (4, 5)
 LAUNCHER = CHECKOUT / "scripts" / "blender"
@@ -20,12 +21,16 @@ LAUNCHER = CHECKOUT / "scripts" / "blender"
 
 @dataclass(frozen=True)
 class Blender:
-    """A Blender: the command that starts it, and the words in front of any command that is to run in its system."""
+    """A Blender: its program, and the words in front of any command that is to run in its system."""
 
     title: str
-    command: tuple
+    program: tuple
     system: tuple = ()
     real: bool = True
+
+    @property
+    def command(self):
+        return (*self.system, *self.program)
 
 
 def find():
@@ -39,6 +44,30 @@ def find():
         if found:
             return found
     return None
+
+
+def some():
+    """A Blender, made if need be: the wheel, or where there is none for this machine, Debian's."""
+    if not find():
+        try:
+            venvs.made(venvs.BLENDER)
+        except SetupError as error:
+            show(str(error))
+            debian.make()
+    return find() or refuse()
+
+
+def real():
+    """A real Blender, Debian's made if need be."""
+    found = find()
+    if not found or not found.real:
+        debian.make()
+        found = find()
+    return found if found and found.real else refuse()
+
+
+def refuse():
+    raise SetupError(f"There is no such Blender as SWEEP_BLENDER={os.environ['SWEEP_BLENDER']} asks for.")
 
 
 def variable():
@@ -70,8 +99,7 @@ def version(program):
 def root():
     if not debian.there() or not debian.can_enter():
         return None
-    system = debian.enter()
-    return Blender("Debian's, in the cache", (*system, "blender"), system)
+    return Blender("Debian's, in the cache", ("blender",), debian.enter())
 
 
 def wheel():

@@ -70,8 +70,8 @@ def from_uv():
             raise SetupError(
                 "No Python here can make a virtual environment. On Debian and Ubuntu: sudo apt-get install python3-venv"
             )
-        step("uv: virtual environment", [maker[0], "-m", "venv", uv.parents[1]], way_out)
-        step("uv: install", [uv.with_name("pip"), "install", "--quiet", "uv"], way_out)
+        step("uv: virtual environment", [maker[0], "-I", "-m", "venv", uv.parents[1]], way_out)
+        step("uv: install", [uv.with_name("python"), "-I", "-m", "pip", "install", "--quiet", "uv"], way_out)
     find = [uv, "python", "find", "--no-project", "--managed-python", "3.11"]
     found = subprocess.run(find, capture_output=True, text=True)
     if found.returncode:

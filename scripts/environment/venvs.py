@@ -4,6 +4,7 @@
 
 import hashlib
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -33,9 +34,10 @@ class Environment:
 
     @property
     def stamp(self):
-        """What the environment should hold, as a hash: the project's table without its tools' settings counts."""
+        """What the environment should hold, as a hash: the project's table and version, not its tools' settings."""
         project = (CHECKOUT / "pyproject.toml").read_text().partition("[tool.pytest")[0]
-        return hashlib.sha256(repr((project, self.install, str(CHECKOUT))).encode()).hexdigest()
+        version = re.search(r"^version.*", (CHECKOUT / "blender_manifest.toml").read_text(), re.MULTILINE)[0]
+        return hashlib.sha256(repr((project, version, self.install, str(CHECKOUT))).encode()).hexdigest()
 
     @property
     def ready(self):
@@ -46,6 +48,11 @@ class Environment:
 BLENDER = Environment("Python with the bpy wheel", CHECKOUT / ".venv", python_with_wheel, ("-e", ".[blender,test]"))
 PLAIN = Environment("plain Python", BUILD / "venv" / "plain", any_python, ("-e", ".[test]"))
 NUMPY = Environment("Python with NumPy alone", BUILD / "venv" / "numpy", any_python, ("numpy", "pytest", "hypothesis"))
+
+INSIDE = BUILD / "inside"
+PINNED = Path(__file__).with_name("wheels.txt")
+PARTS = {"libraries": ("--no-deps", "--requirement", str(PINNED)), "tests": ("pytest", "hypothesis")}
+PURE = ("--only-binary=:all:", "--platform=any", "--implementation=py", "--abi=none", "--python-version=3.11")
 
 
 def made(environment):
@@ -58,9 +65,13 @@ def made(environment):
 
 
 def make(environment):
-    shutil.rmtree(environment.folder, ignore_errors=True)
-    step(f"{environment.title}: virtual environment", [environment.interpreter(), "-m", "venv", environment.folder])
-    pip = [environment.python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    if not runs(environment.python):
+        shutil.rmtree(environment.folder, ignore_errors=True)
+        step(
+            f"{environment.title}: virtual environment",
+            [environment.interpreter(), "-I", "-m", "venv", environment.folder],
+        )
+    pip = [environment.python, "-I", "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     step(
         f"{environment.title}: install {' '.join(environment.install)}",
         [*pip, *environment.install],
@@ -70,6 +81,13 @@ def make(environment):
     if environment is BLENDER:
         prove_bpy(environment.python)
     (environment.folder / "stamp").write_text(environment.stamp)
+
+
+def runs(python):
+    """Whether an environment made earlier still has its Python and its pip."""
+    return (
+        python.exists() and not subprocess.run([python, "-I", "-m", "pip", "--version"], capture_output=True).returncode
+    )
 
 
 def prove_bpy(python):
@@ -85,8 +103,21 @@ def prove_bpy(python):
 
 def import_bpy(python):
     return subprocess.run(
-        [python, "-c", "import bpy, os; os._exit(0)"], capture_output=True, text=True, timeout=120, cwd=BUILD
+        [python, "-I", "-c", "import bpy, os; os._exit(0)"], capture_output=True, text=True, timeout=120, cwd=BUILD
     )
+
+
+def inside(*parts):
+    """Folders of pure Python packages for the Python inside a real Blender, as its PYTHONPATH."""
+    for part in parts:
+        folder, stamp = INSIDE / part, hashlib.sha256(repr((PARTS[part], PINNED.read_text())).encode()).hexdigest()
+        with locked(BUILD / "venv" / "inside.lock"):
+            if not (folder / "stamp").exists() or (folder / "stamp").read_text() != stamp:
+                shutil.rmtree(folder, ignore_errors=True)
+                pip = [made(PLAIN), "-I", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PURE]
+                step(f"for Blender's Python: {part}", [*pip, "--target", folder, *PARTS[part]])
+                (folder / "stamp").write_text(stamp)
+    return os.pathsep.join(str(INSIDE / part) for part in parts)
 
 
 def install_system_libraries():

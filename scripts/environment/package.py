@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The zip that users install: what Blender packs of the checkout, with the pinned wheels added."""
+
+import json
+import re
+import shutil
+import subprocess
+import zipfile
+
+from . import BUILD, CHECKOUT, SetupError, venvs
+from .steps import show, step
+
+WORK = BUILD / "package"
+
+
+def package(blender):
+    """Build and validate the zip; its path."""
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    bare, source = WORK / "bare.zip", WORK / "source"
+    extension(blender, "validate", CHECKOUT)
+    extension(blender, "build", "--source-dir", CHECKOUT, "--output-filepath", bare)
+    with zipfile.ZipFile(bare) as packed:
+        packed.extractall(source)
+
+    add_wheels(source)
+    extension(blender, "build", "--source-dir", source, "--output-dir", WORK)
+    bare.unlink()
+    (result,) = WORK.glob("*.zip")
+    extension(blender, "validate", result)
+    return result.rename(BUILD / result.name)
+
+
+def add_wheels(source):
+    manifest = source / "blender_manifest.toml"
+    names = []
+    (source / "wheels").mkdir()
+    for wheel in wheels():
+        shutil.copy(wheel, source / "wheels")
+        names.append(f"./wheels/{wheel.name}")
+    text = manifest.read_text()
+    manifest.write_text(re.sub(r"^\[", f"wheels = {json.dumps(names)}\n\n[", text, count=1, flags=re.MULTILINE))
+
+
+def wheels():
+    """The pinned wheels, downloaded once."""
+    folder = BUILD / "wheels"
+    stamp = folder / "pinned.txt"
+    if not stamp.exists() or stamp.read_text() != venvs.PINNED.read_text():
+        shutil.rmtree(folder, ignore_errors=True)
+        pip = [venvs.made(venvs.PLAIN), "-I", "-m", "pip", "download", "--quiet", "--disable-pip-version-check"]
+        options = ["--no-deps", *venvs.PURE, "--requirement", venvs.PINNED, "--dest", folder]
+        step("wheels to bundle", [*pip, *options])
+        shutil.copy(venvs.PINNED, stamp)
+    return sorted(folder.glob("*.whl"))
+
+
+def extension(blender, *arguments):
+    """Run a command of Blender's extension tool; a warning counts as a failure."""
+    command = [*blender.command, "--background", "--factory-startup", "--command", "extension", *map(str, arguments)]
+    answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+    if answer.returncode or re.search(r"warning|error", answer.stdout, re.IGNORECASE):
+        raise SetupError(f"blender --command extension {arguments[0]}: {answer.stdout.strip()}")
+    show(f"extension {arguments[0]}: ok")

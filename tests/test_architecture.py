@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Imports point one way: panels -> operators -> {properties, batch} -> bridge -> core."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+# What each part may import of the others. The library's front, sweep_addon/__init__.py, offers all that is below it.
+BELOW = {
+    "sweep_addon/core": set(),
+    "sweep_addon/bridge": {"sweep_addon/core"},
+    "sweep_addon/properties": {"sweep_addon/core", "sweep_addon/bridge"},
+    "sweep_addon/batch": {"sweep_addon/core", "sweep_addon/bridge"},
+    "operators": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties", "sweep_addon/batch"},
+    "panels": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties", "sweep_addon/batch", "operators"},
+}
+
+
+def part(path):
+    """The part of the house a module belongs to, or None for the root and the library's front."""
+    return next((name for name in BELOW if path == name or path.startswith(name + "/")), None)
+
+
+def imported(source, file):
+    """The modules of this project that a source imports, as paths from the root, with their lines."""
+    folder = file.parent.relative_to(CHECKOUT)
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield node.lineno, alias.name.replace(".", "/")
+        if isinstance(node, ast.ImportFrom):
+            above = [folder, *folder.parents][node.level - 1].as_posix() if node.level else "."
+            for name in [node.module] if node.module else [alias.name for alias in node.names]:
+                yield node.lineno, f"{above}/{name.replace('.', '/')}".removeprefix("./")
+
+
+def upward(file):
+    home = part(file.relative_to(CHECKOUT).as_posix())
+    for line, path in imported(file.read_text(encoding="utf-8"), file):
+        target = part(path)
+        if path == "sweep_addon" or target and target not in BELOW[home] | {home}:
+            yield f"{file.relative_to(CHECKOUT)}:{line} imports {path}"
+
+
+FOLDERS = [name for name in BELOW if (CHECKOUT / name).is_dir()]
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_nothing_imports_upwards(folder):
+    found = [problem for file in CHECKOUT.glob(f"{folder}/**/*.py") for problem in upward(file)]
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize(
+    ("line", "path"),
+    [
+        ("from ..bridge import meshes", "sweep_addon/bridge"),
+        ("from .. import batch", "sweep_addon/batch"),
+        ("from ...operators.add import Add", "operators/add"),
+        ("import sweep_addon.properties", "sweep_addon/properties"),
+        ("from .frames import Frenet", "sweep_addon/core/frames"),
+    ],
+)
+def test_the_reader_sees_where_an_import_points(line, path):
+    assert list(imported(line, CHECKOUT / "sweep_addon" / "core" / "mesh.py")) == [(1, path)]
