@@ -97,9 +97,8 @@ def version(program):
 
 
 def root():
-    if not debian.there() or not debian.can_enter():
-        return None
-    return Blender("Debian's, in the cache", ("blender",), debian.enter())
+    system = debian.enter() if debian.there() else None
+    return Blender("Debian's, in the cache", ("blender",), system) if system else None
 
 
 def wheel():

@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from . import CACHE, SetupError
+from . import CACHE, SetupError, apt
 from .steps import locked, step
 
 ROOT = CACHE / "blender-root"
@@ -34,13 +34,24 @@ exec "$@"
 
 
 def enter():
-    """The words in front of a command that is to run in the root."""
-    return (*namespace(), "sh", "-c", MOUNT_AND_RUN, str(ROOT))
+    """The words in front of a command that is to run in the root, or None where this user may not enter."""
+    if namespaces_allowed():
+        return (*namespace(), "sh", "-c", MOUNT_AND_RUN, str(ROOT))
+    if shutil.which("proot"):  # traces its children: slower to start, and needs no right, as in a locked container
+        return ("proot", *(f"--bind={ROOT}/{part}:/{part}" for part in ("usr", "etc/alternatives", "etc/ld.so.cache")))
+    return None
 
 
 def namespace():
     map_user = [] if os.geteuid() == 0 else ["--map-root-user"]
     return ("unshare", *map_user, "--mount", "--propagation", "private")
+
+
+def namespaces_allowed():
+    try:
+        return not subprocess.run([*namespace(), "true"], capture_output=True).returncode
+    except OSError:
+        return False
 
 
 def there():
@@ -51,21 +62,18 @@ def wanted():
     return hashlib.sha256(repr((SUITE, PACKAGES, OMITTED)).encode()).hexdigest()
 
 
-def can_enter():
-    try:
-        return not subprocess.run([*namespace(), "true"], capture_output=True).returncode
-    except OSError:
-        return False
-
-
 def make():
     """Make the root if it is not there, or refuse with the way out."""
-    if not can_enter():
-        raise SetupError(
-            "The real Blender needs a mount namespace, and this machine forbids it to this user. Run this as root, "
-            "allow user namespaces (on Ubuntu: sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0), "
-            "or in a container add --privileged. " + WAY_OUT
-        )
+    if not namespaces_allowed():
+        if os.geteuid():
+            raise SetupError(
+                "The real Blender needs a user namespace, and this machine forbids it to this user. Run this as root, "
+                f"or on Ubuntu: sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0. {WAY_OUT}"
+            )
+        if not shutil.which("proot"):
+            apt.install(["proot"], "This container forbids namespaces; the real Blender is run by proot instead.")
+    elif os.geteuid() and not shutil.which("newuidmap"):
+        raise SetupError(f"The real Blender needs the package uidmap: sudo apt-get install uidmap. {WAY_OUT}")
     with locked(CACHE / "blender-root.lock"):
         if not there():
             with tempfile.TemporaryDirectory(prefix="sweep-root-") as folder:
@@ -78,11 +86,10 @@ def make_in_part(folder):
     remove(part)
     options = [f"--dpkgopt=path-exclude={pattern}" for pattern in OMITTED]
     options += ["--variant=minbase", f"--include={','.join(PACKAGES)}", "--aptopt=Acquire::Check-Valid-Until false"]
-    user = "" if os.geteuid() == 0 else "An ordinary user needs the package uidmap and a line in /etc/subuid. "
     try:
         title = "real Blender, from Debian's archive, 1.1 GB, about a minute"
         command = ["mmdebstrap", *keyring, *options, SUITE, part]
-        step(title, command, user + WAY_OUT, env={**os.environ, "PATH": path})
+        step(title, command, WAY_OUT, env={**os.environ, "PATH": path})
     except SetupError:
         remove(part)
         raise
@@ -97,22 +104,9 @@ def tools(folder):
     names = [] if shutil.which("mmdebstrap") else ["mmdebstrap"]
     names += [] if Path("/", KEYS).exists() else ["debian-archive-keyring"]
     if names:
-        fetch_packages(names, folder)
+        apt.unpack(names, folder, WAY_OUT)
     keyring = [] if Path("/", KEYS).exists() else [f"--keyring={folder / KEYS}"]
     return keyring, os.pathsep.join([os.environ.get("PATH", os.defpath), str(folder / "usr" / "bin")])
-
-
-def fetch_packages(names, folder):
-    if not shutil.which("apt-get"):
-        raise SetupError(f"The real Blender needs {' and '.join(names)}, and there is no apt-get here. {WAY_OUT}")
-    own = []
-    if subprocess.run(["apt-cache", "show", *names], capture_output=True).returncode:  # as in a fresh container
-        (folder / "lists").mkdir()
-        own = ["-o", f"Dir::State::Lists={folder / 'lists'}", "-o", f"Dir::Cache={folder}"]
-        step("apt-get update, into a folder of its own", ["apt-get", *own, "update"], WAY_OUT)
-    step(f"fetch {' and '.join(names)}", ["apt-get", *own, "download", *names], WAY_OUT, cwd=folder)
-    for package in folder.glob("*.deb"):
-        subprocess.run(["dpkg", "-x", package, folder], check=True)
 
 
 def remove(folder):

@@ -42,7 +42,7 @@ def tried(name, host, arguments):
 def style(arguments):
     """ruff's rules, the arrow of imports among them, and its format."""
     ruff = [venvs.made(venvs.PLAIN), "-I", "-m", "ruff"]
-    return program([*ruff, "check", CHECKOUT]) + program([*ruff, "format", "--check", "--quiet", CHECKOUT])
+    return program([*ruff, "check", CHECKOUT]) + program([*ruff, "format", "--check", CHECKOUT])
 
 
 def plain(arguments):
@@ -88,6 +88,8 @@ def through_pytest_blender(name, environment, *options):
 def window(arguments):
     """the real Blender's window on a virtual screen, driven by mouse and keyboard."""
     sessions = sorted(CHECKOUT.glob("tests/window/[a-z]*.py"))
+    if not sessions:
+        raise SetupError("There is no session in tests/window.")
     found = blenders.real()
     if not found.system and not shutil.which("xvfb-run"):
         raise SetupError("A window needs xvfb-run. On Debian and Ubuntu: sudo apt-get install xvfb imagemagick")

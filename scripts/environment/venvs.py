@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import BUILD, CHECKOUT, SetupError
+from . import BUILD, CHECKOUT, SetupError, apt
 from .interpreters import any_python, python_with_wheel
-from .steps import locked, show, step
+from .steps import locked, step
 
 # What the bpy wheel loads and a machine without a desktop lacks.
 SYSTEM_LIBRARIES = ["libxrender1", "libxfixes3", "libxi6", "libxkbcommon0", "libsm6", "libgl1"]
@@ -94,7 +94,7 @@ def prove_bpy(python):
     """Import bpy once: pip installs no wheel in silence, and a bare machine lacks libraries that the wheel loads."""
     trial = import_bpy(python)
     if "cannot open shared object file" in trial.stderr:
-        install_system_libraries()
+        apt.install(SYSTEM_LIBRARIES, "The bpy wheel needs libraries of the system.")
         trial = import_bpy(python)
     if trial.returncode:
         reason = (trial.stderr.strip().splitlines() or ["no reason given"])[-1]
@@ -118,13 +118,3 @@ def inside(*parts):
                 step(f"for Blender's Python: {part}", [*pip, "--target", folder, *PARTS[part]])
                 (folder / "stamp").write_text(stamp)
     return os.pathsep.join(str(INSIDE / part) for part in parts)
-
-
-def install_system_libraries():
-    line = ["apt-get", "install", "--yes", "--no-install-recommends", *SYSTEM_LIBRARIES]
-    way_out = f"The bpy wheel needs libraries of the system. On Debian and Ubuntu: sudo {' '.join(line)}"
-    if os.geteuid() or not shutil.which("apt-get"):
-        raise SetupError(way_out)
-    show("The bpy wheel needs libraries of the system")
-    step("apt-get update", ["apt-get", "update"], way_out)
-    step(" ".join(line), line, way_out, env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"})
