@@ -5,8 +5,7 @@
 import numpy as np
 
 from .orientation import orientation
-
-PAIRS_AT_ONCE = 1 << 20  # bounds the memory, not the work
+from .ranges import ranges
 
 
 def crossings(points, following):
@@ -61,11 +60,7 @@ def overlapping_boxes(low, high):
     axis = min((0, 1), key=lambda axis: later_starts(low[:, axis], high[:, axis])[1].sum())
     order, count = later_starts(low[:, axis], high[:, axis])
     across = 1 - axis
-    portions = np.searchsorted(np.cumsum(count), np.arange(0, count.sum(), PAIRS_AT_ONCE), side="right")
-    for first, last in zip(portions, [*portions[1:], len(order)], strict=True):
-        some = count[first:last]
-        i = np.repeat(np.arange(first, last), some)
-        j = i + 1 + np.arange(len(i)) - np.repeat(np.cumsum(some) - some, some)
+    for i, j in ranges(np.arange(1, len(order) + 1), count):
         i, j = order[i], order[j]
         meet = (low[i, across] <= high[j, across]) & (low[j, across] <= high[i, across])
         yield np.sort(np.stack([i[meet], j[meet]], axis=1), axis=1)
