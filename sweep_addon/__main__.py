@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""``python -m sweep_addon VERB ...``: the verbs of ``blender --command sweep``, where Blender is a Python module."""
+
+import os
+import sys
+
+from .batch.command import main
+
+
+def leave(code):
+    """End at once where Blender was used: the module bpy 4.5 may wait for ever on its way out."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    if "bpy" in sys.modules:
+        os._exit(code)
+    sys.exit(code)
+
+
+if __name__ == "__main__":
+    leave(main(sys.argv[1:]))

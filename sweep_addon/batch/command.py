@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line: ``blender --background --command sweep VERB ...`` or ``python -m sweep_addon VERB ...``.
+
+Results go to standard output, a refusal to standard error as one sentence. It ends with 0, with 1 where something
+failed, or with 2 where what it was told is wrong.
+"""
+
+import argparse
+import sys
+
+from ..core.parameters import ShapeError
+from . import verbs
+from .export import MODELS, PICTURES
+
+DONE, FAILED, REFUSED = 0, 1, 2
+REGISTERED = []  # what Blender gave for the command, and wants back
+
+
+def register():
+    import bpy
+
+    REGISTERED.append(bpy.utils.register_cli_command("sweep", main))
+
+
+def unregister():
+    import bpy
+
+    bpy.utils.unregister_cli_command(REGISTERED.pop())
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose refusal is one sentence."""
+
+    def error(self, message):
+        self.exit(REFUSED, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+def parser():
+    """The verbs and what each may be told."""
+    made = Parser(prog="sweep", description="Shapes made by moving a generator along a trajectory, from job files.")
+    commands = made.add_subparsers(metavar="VERB", required=True)
+
+    build = commands.add_parser("build", help="write a shape as a model", description=verbs.build.__doc__)
+    render = commands.add_parser("render", help="write a picture of a shape", description=verbs.render.__doc__)
+    for verb, act, suffixes in ((build, verbs.build, MODELS), (render, verbs.render, PICTURES)):
+        names = ", ".join(suffixes)
+        verb.add_argument("jobs", metavar="JOB", nargs="+", help="a job file (.toml)")
+        where = verb.add_mutually_exclusive_group(required=True)
+        where.add_argument("-o", "--output", metavar="FILE", help=f"what to write for one job: {names}")
+        where.add_argument("-d", "--output-dir", metavar="DIR", help="where to write for many jobs, each its own file")
+        verb.add_argument("--format", choices=[suffix[1:] for suffix in suffixes], default=list(suffixes)[0][1:],
+                          help="of the files in DIR (%(default)s)")  # fmt: skip
+        verb.add_argument("--again", action="store_true", help="write also what is already finished in DIR")
+        verb.add_argument("--parallel", metavar="N", type=int, default=1, help="processes at a time (%(default)s)")
+        verb.set_defaults(act=act)
+    render.add_argument("--frame", metavar="N", type=int, default=0, help="only this picture of a turn, from 1")
+
+    check = commands.add_parser("check", help="say whether jobs are right", description=verbs.check.__doc__)
+    check.add_argument("jobs", metavar="JOB", nargs="+", help="a job file (.toml)")
+    check.set_defaults(act=verbs.check)
+
+    describe = commands.add_parser("describe", help="say what a job may tell", description=verbs.describe.__doc__)
+    describe.add_argument("shape", metavar="SHAPE", nargs="?", help="a shape, one of its choices, or render")
+    describe.add_argument("--schema", action="store_true", help="the JSON Schema of job files, for editors")
+    describe.set_defaults(act=verbs.describe)
+    return made
+
+
+def main(arguments):
+    """Run one verb.
+
+    Parameters
+    ----------
+    arguments : list of str
+        What follows the program's name.
+
+    Returns
+    -------
+    int
+        The exit code.
+    """
+    try:
+        told = parser().parse_args(arguments)
+        told.arguments = arguments
+        return told.act(told)
+    except SystemExit as stop:  # argparse, which has said why
+        return stop.code or DONE
+    except ShapeError as refusal:
+        sys.stderr.write(f"{refusal}\n")
+        return REFUSED
+    except verbs.CommandError as failure:
+        sys.stderr.write(f"{failure}\n")
+        return FAILED
+    except (OSError, RuntimeError, MemoryError) as error:  # a full disk, an exporter that gave up
+        said = str(error).strip().splitlines() or [type(error).__name__]
+        sys.stderr.write(f"{said[-1]}\n")
+        return FAILED
+    except KeyboardInterrupt:
+        sys.stderr.write("stopped; what is finished stays, and the same command goes on from there\n")
+        return FAILED

@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Export: files written whole or not at all, in the formats that Blender writes."""
+
+import os
+import shutil
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..core.parameters import ShapeError, require
+
+
+def save_blend(path):
+    import bpy
+
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True, check_existing=False)
+
+
+def save_glb(path):
+    import bpy
+
+    bpy.ops.export_scene.gltf(filepath=path, export_format="GLB", use_selection=True, export_apply=True)
+
+
+def save_stl(path):
+    import bpy
+
+    bpy.ops.wm.stl_export(filepath=path, export_selected_objects=True, check_existing=False)
+
+
+def save_obj(path):
+    import bpy
+
+    bpy.ops.wm.obj_export(filepath=path, export_selected_objects=True, check_existing=False)
+
+
+def save_ply(path):
+    import bpy
+
+    bpy.ops.wm.ply_export(filepath=path, export_selected_objects=True, check_existing=False)
+
+
+MODELS = {".blend": save_blend, ".glb": save_glb, ".stl": save_stl, ".obj": save_obj, ".ply": save_ply}
+PICTURES = {".png": "PNG", ".jpg": "JPEG", ".webp": "WEBP", ".exr": "OPEN_EXR"}
+
+
+def check_output(path, suffixes):
+    """The absolute path of an output, refused before anything is done for it."""
+    path = Path(path).absolute()
+    require(path.suffix.lower() in suffixes, f"must end in {', '.join(suffixes)}", path.name, "output")
+    require(path.parent.is_dir(), "must be in a folder that exists", str(path.parent), "output")
+    require(not path.is_dir(), "must be a file", str(path), "output")
+    return path
+
+
+def save_model(output):
+    """Write the scene (.blend), or its selected objects, in the format that the output's suffix names."""
+    with whole(output) as path, silent():
+        MODELS[output.suffix.lower()](str(path))
+
+
+@contextmanager
+def whole(output):
+    """A path to write to, whose files are moved to the output's place once all of them are complete.
+
+    Parameters
+    ----------
+    output : Path
+        Absolute. Other files written beside it, as an .obj's materials, go to its folder too.
+    """
+    part = output.with_name(f"{output.name}.part")
+    shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
+    try:
+        part.mkdir()
+        yield part / output.name
+        if not (part / output.name).is_file():
+            raise ShapeError(f"was not written by Blender's exporter: {output.name}", "output")
+        for file in sorted(part.iterdir(), key=lambda file: file.name == output.name):  # the output last
+            os.replace(file, output.with_name(file.name))
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+@contextmanager
+def silent():
+    """Keep what Blender prints off standard output, which is for results."""
+    sys.stdout.flush()
+    kept, nothing = os.dup(1), os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nothing, 1)
+        yield
+    finally:
+        sys.stdout.flush()
+        os.dup2(kept, 1)
+        os.close(kept)
+        os.close(nothing)

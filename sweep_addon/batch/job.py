@@ -1,0 +1,175 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A job: a TOML file that says a shape, and how a picture of it is made."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from ..core import description, forms
+from ..core.parameters import ShapeError, angle, at, count, declared, from_table, parameter, parameters, spelled
+from ..core.shapes import SHAPES
+from .lines import line_of
+from .references import LARGEST, resolve, with_references
+
+
+class Engine(Enum):
+    CYCLES = "Light followed along its paths, on any machine"
+    WORKBENCH = "Plain shading in a fraction of a second; needs OpenGL"
+    EEVEE = "Light approximated as in games; needs OpenGL"
+
+
+@declared
+class Render:
+    """A picture of a shape, its camera as close as shows all of it"""
+
+    engine: Engine = parameter(Engine.CYCLES, "What computes the picture")
+    width: int = count(1280, "Pixels across", minimum=16, maximum=16_384)
+    height: int = count(960, "Pixels down", minimum=16, maximum=16_384)
+    samples: int = count(64, "Samples of each pixel", maximum=65_536)
+    frames: int = count(1, "Pictures in one turn round the shape; 1 is a still", maximum=100_000)
+    azimuth: float = angle(-0.9, "Where the camera stands round the z axis, from the x axis")
+    elevation: float = angle(0.45, "How high the camera stands", minimum=-1.57, maximum=1.57)
+    margin: float = parameter(0.06, "Part of the picture left free on each side", minimum=0.0, maximum=0.45)
+    side: tuple[float, float, float] = parameter((0.80, 0.36, 0.16), "Colour of the side", minimum=0.0, maximum=1.0)
+    caps: tuple[float, float, float] = parameter((0.93, 0.78, 0.55), "Colour of the ends", minimum=0.0, maximum=1.0)
+    metallic: float = parameter(0.0, "1 for a metal", minimum=0.0, maximum=1.0)
+    roughness: float = parameter(0.35, "0 for a mirror, 1 for chalk", minimum=0.0, maximum=1.0)
+    background: tuple[float, float, float] = parameter((0.90, 0.91, 0.93), "Colour behind", minimum=0.0, maximum=1.0)
+    ground: bool = parameter(True, "A ground that takes the shape's shadow")
+    transparent: bool = parameter(False, "Nothing behind the shape")
+
+
+@dataclass(frozen=True)
+class Job:
+    """A job that was understood.
+
+    Attributes
+    ----------
+    shape : a shape
+    render : Render
+    digest : str
+        A hash of all that the job says, and of the files it refers to; the same for jobs that say the same.
+    path : Path or None
+        Where it was read from.
+    """
+
+    shape: object
+    render: Render
+    digest: str
+    path: Path | None = None
+
+
+class JobError(ShapeError):
+    """A refusal that says in which file, at which line: ``job.toml:12: contour.rounding: must be at most ...``.
+
+    Attributes
+    ----------
+    path : Path
+    line : int or None
+    """
+
+    def __init__(self, error, path, text=None):
+        super().__init__(error.sentence, error.key)
+        self.path, self.line = path, None
+        sentence = str(error)
+        if error.key.startswith("line "):
+            self.line, sentence = int(error.key.removeprefix("line ")), error.sentence
+        elif text is not None:
+            self.line = line_of(text, error.key)
+        self.args = (f"{path}:{self.line}: {sentence}" if self.line else f"{path}: {sentence}",)
+
+
+def load(job):
+    """The shape that a job describes.
+
+    Parameters
+    ----------
+    job : path, or str of one or more lines ``key = value``
+        A job file, or the text of one.
+
+    Returns
+    -------
+    A shape.
+
+    Raises
+    ------
+    ShapeError
+        If it is no job; for a file, with its name and the line.
+
+    Examples
+    --------
+    >>> load('kind = "generalized-cylinder"').contour
+    Circle(radius=0.1, points=64)
+    """
+    is_text = isinstance(job, bytes) or isinstance(job, str) and ("\n" in job or "=" in job)
+    return parse(job, Path()).shape if is_text else read(job).shape
+
+
+def read(path):
+    """The `Job` in a file; a `JobError` with file and line if it is none."""
+    path, text = Path(path), None
+    try:
+        text = content(path)
+        job = parse(text, path.parent)
+    except ShapeError as error:
+        raise JobError(error, path, decoded(text)) from None
+    return Job(job.shape, job.render, job.digest, path)
+
+
+def content(path):
+    try:
+        if path.is_file() and path.stat().st_size > LARGEST:
+            raise ShapeError(f"must have at most {LARGEST:,} bytes, got {path.stat().st_size:,}")
+        if path.is_file():
+            return path.read_bytes()
+    except OSError as error:
+        raise ShapeError(f"cannot be read: {error.strerror}") from None
+    raise ShapeError("must be a job file, got a folder" if path.is_dir() else "must be a job file that exists")
+
+
+def decoded(text):
+    """The text to find lines in, or None where there is none."""
+    try:
+        return text.decode("utf-8-sig") if text is not None else None
+    except UnicodeDecodeError:
+        return None
+
+
+def parse(text, folder):
+    """The `Job` of a text whose relative paths start from a folder."""
+    table = forms.tables(text)
+    picture = table.pop("render", {})
+    with at("render"):
+        if not isinstance(picture, dict):
+            raise ShapeError("must be a table, [render]")
+        render = from_table({"render": Render}, {"kind": "render", **picture}, parameters)
+    shape = {spelled(shape): shape for shape in SHAPES}.get(name(table))
+    resolved, files = resolve(parameters(shape), table, folder) if shape else (table, ())
+    return Job(forms.shape_of(SHAPES, resolved), render, digest(table, picture, files))
+
+
+def name(table):
+    kind = table.get("kind")
+    return kind if isinstance(kind, str) else None
+
+
+def digest(table, picture, files):
+    """A hash of plain tables and the contents of files."""
+    said = hashlib.sha256(json.dumps([table, picture], sort_keys=True, default=str).encode())
+    for file in files:
+        said.update(hashlib.sha256(file.read_bytes()).digest())
+    return said.hexdigest()
+
+
+def schema():
+    """The JSON Schema of a job file, references and ``[render]`` included."""
+    made = description.schema(SHAPES)
+    picture = description.table_schema(Render, parameters(Render))
+    del picture["properties"]["kind"], picture["required"]
+    for form, shape in zip(made["anyOf"], SHAPES, strict=True):
+        with_references(form, parameters(shape))
+        form["properties"]["render"] = picture
+    return made

@@ -1,0 +1,125 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""References: what a job says in place of a contour or a trajectory that lies in a file beside it."""
+
+from dataclasses import replace
+from importlib.util import find_spec
+from pathlib import Path
+
+from ..core import contours
+from ..core.description import table_schema
+from ..core.parameters import at, declared, from_table, length, parameter, parameters, require
+
+LARGEST = 50_000_000  # bytes of a drawing or a font
+
+
+@declared
+class File:
+    """A drawing (.svg), or an object of a Blender file (.blend)"""
+
+    file: str = parameter("", "Path of an .svg or .blend file, relative to the job")
+    object: str = parameter("", "Name of the curve or text object in a .blend file")
+    scale: float = parameter(1.0, "Factor of its size, as 0.001 for a drawing in millimetres", above=0.0)
+
+
+@declared
+class Text:
+    """Letters of a font"""
+
+    text: str = parameter("", "The letters")
+    font: str = parameter("", "Path of a .ttf or .otf file, relative to the job")
+    size: float = length(1.0, "Height of a line")
+
+
+def resolve(declared, table, folder):
+    """A table with its references replaced by values.
+
+    Parameters
+    ----------
+    declared : tuple of Parameter
+        Those of the shape that the table describes.
+    table : dict
+    folder : Path
+        What relative paths start from.
+
+    Returns
+    -------
+    table : dict
+    files : tuple of Path
+        The files that were read.
+    """
+    files = []
+    for p in declared:
+        reference = reference_of(p, table.get(p.name))
+        if reference:
+            with at(p.name):
+                value, path = read(reference, contours.Outline in p.kinds, Path(folder))
+            table = {**table, p.name: value}
+            files.append(path)
+    return table, tuple(files)
+
+
+def reference_of(p, value):
+    """The reference that a plain value is, or None."""
+    if not p.accepts or not isinstance(value, dict) or "kind" in value:
+        return None
+    kind = Text if "text" in value else File if "file" in value else None
+    with at(p.name):
+        return kind and from_table({"reference": kind}, {"kind": "reference", **value}, parameters)
+
+
+def read(reference, is_contour, folder):
+    """The value that a reference stands for, and the file it was read from."""
+    if isinstance(reference, Text):
+        require(is_contour, "stands for a contour only", reference.text, "text")
+        require(reference.font, "must be a .ttf or .otf file", reference.font, "font")
+        path = existing(folder / reference.font, "font")
+        with at("text"):
+            return contours.from_text(reference.text, path, size=reference.size), path
+    path = existing(folder / reference.file, "file")
+    kind = path.suffix.lower()
+    require(kind in ((".svg", ".blend") if is_contour else (".blend",)), told(is_contour), reference.file, "file")
+    if kind == ".svg":
+        with at("file"):
+            return scaled(contours.from_svg(path), reference.scale), path
+    require(reference.object, "must name an object of the .blend file", reference.object, "object")
+    require(find_spec("bpy") is not None, "needs Blender to be read", reference.file, "file")
+    from ..bridge import files
+
+    with at("object"):
+        found = (files.outline if is_contour else files.trajectory)(path, reference.object)
+    return (scaled(found, reference.scale) if is_contour else lengthened(found, reference.scale)), path
+
+
+def told(is_contour):
+    return "must be an .svg or .blend file" if is_contour else "must be a .blend file"
+
+
+def existing(path, key):
+    require(path.is_file(), "must be a file that exists", str(path), key)
+    require(path.stat().st_size <= LARGEST, f"must have at most {LARGEST:,} bytes", path.stat().st_size, key)
+    return path
+
+
+def scaled(outline, factor):
+    """An outline made larger or smaller; a bulge is an angle and stays."""
+    loops = [loop.values * factor for loop in outline.loops]
+    return replace(outline, loops=loops, tolerance=outline.tolerance * factor)
+
+
+def lengthened(trajectory, factor):
+    """A trajectory made larger or smaller about its object's origin."""
+    return replace(trajectory, points=trajectory.points.values * factor)
+
+
+def with_references(form, declared):
+    """The schema of a shape's table, whose contours and trajectories may also be references."""
+    for p in declared:
+        if p.accepts:
+            kinds = (File, Text) if contours.Outline in p.kinds else (File,)
+            for kind in kinds:
+                table = table_schema(kind, parameters(kind))
+                del table["properties"]["kind"]
+                table["required"] = [parameters(kind)[0].name]
+                form["properties"][p.name]["anyOf"].append(table)
+    return form

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scene of a job: its shape in a studio, and a camera that fills the picture with it.
+
+All sizes follow the shape's, so that a ring and a bridge look alike.
+"""
+
+import ctypes
+import sys
+from math import tau
+
+import bpy
+import numpy as np
+
+from ..bridge import objects
+from ..core.parameters import require
+from . import studio
+from .camera import axes, fit, turned
+from .export import PICTURES, silent, whole
+from .job import Engine
+
+LENS = 70.0  # mm on a sensor 36 mm wide: little perspective
+SENSOR = 36.0
+NOISE = 0.04  # where a pixel has no need of more samples
+
+
+def compose(job, name, frame=0):
+    """Replace all that is in Blender by the scene of a job.
+
+    Parameters
+    ----------
+    job : Job
+    name : str
+        Of the object.
+    frame : int
+        Which picture of a turn round the shape, from 1; 0 for the first.
+
+    Returns
+    -------
+    bpy.types.Object
+        The shape, active and selected.
+    """
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    scene, render = bpy.context.scene, job.render
+    ob = objects.to_object(job.shape, name)
+    studio.paint(ob.data, render)
+    points = places(ob)
+    low, high = points.min(axis=0), points.max(axis=0)
+    radius = max(float(np.linalg.norm(high - low)) / 2, 1e-6)
+    middle = (low + high) / 2
+
+    view = axes(render.azimuth + tau * max(frame - 1, 0) / render.frames, render.elevation)
+    stand(scene, turned(points) if render.frames > 1 else points, view, render)
+    studio.illuminate(scene, middle, radius, view)
+    studio.surround(scene, render.background)
+    if render.ground and not render.transparent and render.engine is not Engine.WORKBENCH:
+        studio.lay_ground(scene, (*middle[:2], low[2]), radius, render.background)
+    settle(scene, render)
+    for other in scene.objects:
+        other.select_set(other == ob)
+    bpy.context.view_layer.objects.active = ob
+    return ob
+
+
+def render_picture(job, output):
+    """Render the composed scene of a job into a file, written whole or not at all."""
+    scene = bpy.context.scene
+    with whole(output) as path, silent():
+        scene.render.image_settings.file_format = PICTURES[output.suffix.lower()]
+        alpha = job.render.transparent and output.suffix.lower() != ".jpg"
+        scene.render.image_settings.color_mode = "RGBA" if alpha else "RGB"
+        scene.render.use_file_extension = False
+        scene.render.filepath = str(path)
+        bpy.ops.render.render(write_still=True)
+
+
+def places(ob):
+    """The vertices of an object in the world, (n, 3) float array."""
+    mesh = ob.data
+    found = np.empty((len(mesh.vertices), 3), dtype=np.float32)
+    mesh.attributes["position"].data.foreach_get("vector", found.ravel())
+    matrix = np.array(ob.matrix_world)
+    return found @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def stand(scene, points, view, render):
+    """Put the camera where it just shows the points."""
+    camera = bpy.data.cameras.new("Camera")
+    camera.lens, camera.sensor_width = LENS, SENSOR
+    larger = max(render.width, render.height)
+    slopes = [SENSOR / 2 / LENS * size / larger * (1 - 2 * render.margin) for size in (render.width, render.height)]
+    place = fit(points, view, slopes)
+    distance = float((points - place).dot(view[2]).max())
+    camera.clip_start, camera.clip_end = distance / 1000, distance * 100
+    scene.camera = studio.linked(scene, "Camera", camera)
+    scene.camera.matrix_world = studio.facing(place, view)
+
+
+def settle(scene, render):
+    """The render settings of a scene."""
+    settings = scene.render
+    settings.engine = engine(render.engine)
+    settings.resolution_x, settings.resolution_y, settings.resolution_percentage = render.width, render.height, 100
+    settings.film_transparent = render.transparent
+    scene.view_settings.view_transform = "Standard"
+    if render.engine is Engine.CYCLES:
+        import _cycles
+
+        scene.cycles.samples, scene.cycles.seed = render.samples, 0
+        scene.cycles.adaptive_threshold, scene.cycles.max_bounces = NOISE, 6
+        scene.cycles.use_light_tree = False  # it pays with many lamps
+        scene.cycles.use_denoising = bool(_cycles.with_openimagedenoise)
+        scene.cycles.denoising_prefilter = "FAST"
+    elif render.engine is Engine.EEVEE:
+        scene.eevee.taa_render_samples = render.samples
+    else:
+        scene.display.shading.light, scene.display.shading.color_type = "STUDIO", "MATERIAL"
+        scene.display.shading.show_cavity, scene.display.shading.show_shadows = True, True
+        scene.display.shading.background_type, scene.display.shading.background_color = "WORLD", scene.world.color
+
+
+def engine(chosen):
+    """Blender's name of an engine; one that draws by OpenGL is refused where that would end the process."""
+    if chosen is Engine.CYCLES:
+        return "CYCLES"
+    if sys.platform == "linux":
+        try:
+            ctypes.CDLL("libEGL.so.1")
+        except OSError:
+            require(False, "must be cycles, as this machine has no libEGL", chosen.name.lower(), "render.engine")
+    if chosen is Engine.WORKBENCH:
+        return "BLENDER_WORKBENCH"
+    return "BLENDER_EEVEE" if bpy.app.version >= (5, 0, 0) else "BLENDER_EEVEE_NEXT"

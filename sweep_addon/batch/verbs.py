@@ -1,0 +1,200 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs of the command line. Each takes what was told and returns the exit code."""
+
+import hashlib
+import importlib.util
+import json
+import shutil
+import sys
+import textwrap
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..core import description, forms
+from ..core.parameters import ShapeError, parameters, require, spelled
+from ..core.shapes import SHAPES
+from . import job as jobs
+from .export import MODELS, PICTURES, check_output, save_model
+from .plan import numbered, plan
+from .run import run
+
+
+class CommandError(Exception):
+    """Something that should have worked did not: a sentence."""
+
+
+def build(told):
+    """Write the shape of a job as a model: a .blend with the shape live in it, camera and light, or a .glb, .stl,
+    .obj or .ply of the shape alone."""
+    need_blender()
+    if told.output_dir:
+        return run_many("build", told)
+    output, job = check_output(told.output, MODELS), only_job(told)
+    from . import scene
+
+    with pointing_at(job):
+        scene.compose(job, job.path.stem)
+    tell(f"writing {output.name}")
+    save_model(output)
+    say(output)
+    return 0
+
+
+def render(told):
+    """Write a picture of the shape of a job, made as its table [render] says."""
+    need_blender()
+    if told.output_dir:
+        return run_many("render", told)
+    output, job = check_output(told.output, PICTURES), only_job(told)
+    frames = job.render.frames
+    require(0 <= told.frame <= frames, f"must be from 1 to {frames}", told.frame, "frame")
+    wanted = [told.frame] if told.frame or frames == 1 else range(1, frames + 1)
+    from . import scene
+
+    for frame in wanted:
+        with pointing_at(job):
+            scene.compose(job, job.path.stem, frame)
+        written = output if frame == told.frame else numbered(output, frame)
+        tell(f"rendering {written.name}, {job.render.width} x {job.render.height}")
+        scene.render_picture(job, written)
+        say(written)
+    return 0
+
+
+def check(told):
+    """Read jobs and make their meshes, and say for each whether it is right, or at which line and key it is not."""
+    code = 0
+    for path in told.jobs:
+        try:
+            job = jobs.read(path)
+            with pointing_at(job):
+                mesh = job.shape.mesh()
+            say(f"{path}: {len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces")
+        except ShapeError as refusal:
+            sys.stderr.write(f"{refusal}\n")
+            code = 2
+    return code
+
+
+def describe(told):
+    """Say what a job may tell of a shape, of one of its choices, as circle or helix, or of render: parameters with
+    units, limits and defaults."""
+    if told.schema:
+        say(json.dumps(jobs.schema(), indent=2))
+        return 0
+    kinds = {spelled(shape): shape for shape in SHAPES}
+    if not told.shape:
+        say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in kinds.items()))
+        return 0
+    for p in (p for shape in SHAPES for p in parameters(shape)):
+        kinds |= {spelled(kind): kind for kind in p.kinds if spelled(kind) not in kinds}
+    kinds["render"] = jobs.Render
+    require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")
+    say(table(told.shape, kinds[told.shape]))
+    return 0
+
+
+def table(name, kind):
+    """The parameters of a shape for people, each with its default, and beneath it what it means and takes."""
+    width = max(60, shutil.get_terminal_size((100, 24)).columns - 4)
+    lines = [f"{name}: {description.summary(kind)}", ""]
+    for row in description.describe(kind):
+        default = forms.tidy(row.default, forms.scalar, len(row.key))
+        means = f"{row.doc}. {row.takes}" + (f"; {row.limits}" if row.limits else "")
+        lines.append(f"{row.key} = {default}")
+        lines.extend(textwrap.wrap(means, width, initial_indent="    ", subsequent_indent="    "))
+    return "\n".join(lines)
+
+
+def run_many(verb, told):
+    """Do many jobs, each in a process of its own, and go on where the last run stopped."""
+    require(not told.output and told.parallel >= 1, "must be at least 1", told.parallel, "parallel")
+    read, refused = [], 0
+    for path in told.jobs:
+        try:
+            read.append(jobs.read(path))
+        except ShapeError as refusal:
+            sys.stderr.write(f"{refusal}\n")
+            refused = 2
+    if refused:
+        return refused
+    folder = Path(told.output_dir).absolute()
+    folder.mkdir(parents=True, exist_ok=True)
+    tasks = plan(verb, read, folder, f".{told.format}", version=version())
+    failed = 0
+    with ThreadPoolExecutor(max_workers=told.parallel) as executor:
+        for number, result in enumerate(run(tasks, program(told.arguments), executor, told.again), 1):
+            tell(f"{number} of {len(tasks)}: {Path(result.task.output).name} {result.state}")
+            if result.state == "failed":
+                sys.stderr.write(f"{result.task.job}: {result.sentence}\n")
+                failed = 1
+            else:
+                say(result.task.output)
+    return failed
+
+
+def program(arguments):
+    """How this program was started, without its own arguments: what a process for one task is started by."""
+    import bpy
+
+    if bpy.app.binary_path:
+        started = [bpy.app.binary_path, *sys.argv[1:]]
+    else:
+        started = [sys.executable, *sys.orig_argv[1:]]
+    return started[: len(started) - len(arguments)]
+
+
+def version():
+    """A hash of this program and of Blender, so that what another version wrote is not taken for finished."""
+    import bpy
+
+    said = hashlib.sha256(bpy.app.version_string.encode())
+    home = Path(__file__).parents[1]
+    for file in sorted(home.rglob("*.py"), key=lambda file: file.relative_to(home).as_posix()):
+        said.update(file.read_bytes())
+    return said.hexdigest()
+
+
+@contextmanager
+def pointing_at(job):
+    """Say of a refusal at which line of the job it is."""
+    try:
+        yield
+    except ShapeError as refusal:
+        text = jobs.decoded(job.path.read_bytes())
+        raise jobs.JobError(refusal if refusal.key else with_key(job.shape, refusal), job.path, text) from None
+
+
+def with_key(shape, refusal):
+    """The refusal that a shape itself gives in place of one that an object reported as text."""
+    try:
+        shape.mesh()
+    except ShapeError as same:
+        return same
+    return refusal
+
+
+def only_job(told):
+    require(len(told.jobs) == 1, "takes one job; for more give --output-dir", len(told.jobs), "output")
+    return jobs.read(told.jobs[0])
+
+
+def need_blender():
+    if importlib.util.find_spec("bpy") is None:
+        raise CommandError(
+            "This needs Blender: run it as blender --background --command sweep ..., "
+            "or pip install 'bpy==4.5.*' with Python 3.11 or 'bpy==5.2.*' with Python 3.13."
+        )
+
+
+def say(result):
+    sys.stdout.write(f"{result}\n")
+    sys.stdout.flush()
+
+
+def tell(sentence):
+    """Progress, for somebody who watches: a line on standard error if it is a terminal."""
+    if sys.stderr.isatty():
+        sys.stderr.write(f"{sentence}\n")

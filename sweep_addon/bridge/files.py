@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects of other Blender files as outlines and trajectories; of the file, nothing stays behind."""
+
+import bpy
+
+from ..core.parameters import require
+from . import curves
+
+
+def outline(path, name):
+    """The outline of the curve or text object of that name in a .blend file."""
+    return from_file(path, name, ("CURVE", "FONT"), curves.outline)
+
+
+def trajectory(path, name):
+    """The trajectory along the first spline of the curve object of that name in a .blend file."""
+    return from_file(path, name, ("CURVE",), lambda ob: curves.trajectories(ob)[0])
+
+
+def from_file(path, name, types, read):
+    before = set(bpy.data.user_map())
+    try:
+        try:
+            with bpy.data.libraries.load(str(path)) as (there, here):
+                known = list(there.objects)
+                here.objects = [name] if name in known else []
+        except OSError:
+            require(False, "must be in a .blend file that Blender can read", str(path))
+        require(name in known, f"must be one of the file's {len(known)} objects: {', '.join(known[:8])}", name)
+        ob = here.objects[0]
+        require(ob.type in types, f"must be a {' or a '.join(types).lower()} object", ob.type.lower())
+        bpy.context.scene.collection.objects.link(ob)  # a text is evaluated only in a scene
+        return read(ob)
+    finally:
+        bpy.data.batch_remove(set(bpy.data.user_map()) - before)
