@@ -9,7 +9,7 @@ that have no Blender.
 from importlib import import_module
 
 # What registers, each part after those it stands on.
-PARTS = ()
+PARTS = (".sweep_addon.properties",)
 
 
 def register():

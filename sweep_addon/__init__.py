@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sweep: shapes made by moving a generator along a trajectory.
+
+Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a live object of the scene.
+
+>>> import sweep_addon as sw
+>>> tube = sw.GeneralizedCylinder(contour=sw.contours.Circle(0.1), trajectory=sw.trajectories.Helix(turns=2))
+>>> len(tube.mesh().boundary_edges())
+0
+"""
+
+from .core import contours, ends, frames, laws, sampling, trajectories
+from .core.forms import dump
+from .core.generalized_cylinder import GeneralizedCylinder
+from .core.mesh import Mesh
+from .core.parameters import ShapeError
+
+__all__ = [
+    "GeneralizedCylinder",
+    "Mesh",
+    "ShapeError",
+    "contours",
+    "dump",
+    "ends",
+    "frames",
+    "from_object",
+    "laws",
+    "load",
+    "sampling",
+    "to_object",
+    "trajectories",
+]
+
+LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".bridge.objects"}
+
+
+def __getattr__(name):
+    # Jobs and Blender are loaded when they are asked for: most scripts need neither.
+    if name not in LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(LATER[name], __package__), name)

@@ -38,10 +38,10 @@ class Along:
     def is_constant(self):
         return self.scale_x.is_constant and self.scale_y.is_constant and self.twist.is_constant
 
-    def at(self, s):
-        """Scales along e2 and e3 and the twist in radians at arc lengths: (n,) to three (n,)."""
+    def at(self, s, u=None):
+        """Scales along e2 and e3 and the twist in radians at arc lengths, or at parameters known: three (n,)."""
         measure = arc_length(self.trajectory)
-        u, t = measure.parameter(s), s / measure.total
+        u, t = measure.parameter(s) if u is None else u, s / measure.total
         values = []
         for key in ("scale_x", "scale_y", "twist"):
             with at(key):
@@ -119,7 +119,9 @@ def tips(scale_x, scale_y):
     flat_x, flat_y = np.abs(scale_x) <= NOTHING * largest, np.abs(scale_y) <= NOTHING * largest
     for flat, other, keys in ((flat_x, flat_y, ("scale_x", "scale_y")), (flat_y, flat_x, ("scale_y", "scale_x"))):
         if (flat & ~other).any():
-            raise ShapeError(f"must not be 0 where {keys[1]} is not, got 0 at contour {np.argmax(flat & ~other) + 1}", keys[0])
+            raise ShapeError(
+                f"must not be 0 where {keys[1]} is not, got 0 at contour {np.argmax(flat & ~other) + 1}", keys[0]
+            )
     side = np.sign(scale_x * scale_y)[~flat_x]
     require(len(set(side)) == 1, "must not change its sign against scale_x", "both signs", "scale_y")
     stretch = flat_x[1:] & flat_x[:-1]

@@ -7,6 +7,7 @@ and extra turns are all added to it.
 """
 
 from enum import Enum
+from functools import lru_cache
 from math import tau
 
 import numpy as np
@@ -42,11 +43,14 @@ class Frenet:
 
     def angles(self, stations, normals, holonomy):
         """The angle of the principal normal from the rotation-minimizing normals, (n,), and a warning."""
-        bend = turned(stations.bend, stations.leave, stations.tangent, back=True)
+        bend, corners = stations.bend.copy(), stations.corners
+        bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
         curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
         found = signed_angle(normals, bend, stations.leave)
         if not curved.any():
-            return np.zeros(len(found)), ("Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",)
+            return np.zeros(len(found)), (
+                "Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",
+            )
         filled = fill(stations, found, curved, holonomy)
         flips = flipping(filled, stations, holonomy)
         told = ()
@@ -103,10 +107,12 @@ def axes(frame, stations, twist):
     """
     normals, holonomy = rotation_minimizing(stations)
     angles, told = frame.angles(stations, normals, holonomy)
-    e2 = turned(rotated(normals, stations.leave, angles + twist), stations.leave, stations.tangent)
+    e2, corners = rotated(normals, stations.leave, angles + twist), stations.corners
+    e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
     return e2, np.cross(stations.tangent, e2), told
 
 
+@lru_cache(maxsize=16)
 def rotation_minimizing(stations):
     """Normals carried along a trajectory without spin about the tangent.
 
@@ -137,7 +143,8 @@ def rotation_minimizing(stations):
     carried = reflect(reference[here], chord)
     arrived = reflect(stations.leave[here], chord)
     carried = reflect(carried, stations.arrive[onward] - arrived)
-    carried = turned(carried, stations.arrive[onward], stations.leave[onward])
+    bent = np.flatnonzero(np.isin(onward, stations.corners))
+    carried[bent] = turned(carried[bent], stations.arrive[onward[bent]], stations.leave[onward[bent]])
     turn = signed_angle(reference[onward], carried, stations.leave[onward])
     steps = len(stations.u) - 1
     start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
@@ -189,10 +196,8 @@ def reflect(vectors, normals):
     return vectors - factor[:, None] * normals
 
 
-def turned(vectors, start, end, back=False):
-    """Turn each vector by the least rotation that takes one unit vector to another, or back."""
-    if back:
-        start, end = end, start
+def turned(vectors, start, end):
+    """Turn each vector by the least rotation that takes one unit vector to another."""
     return reflect(reflect(vectors, start), start + end)
 
 
@@ -204,6 +209,8 @@ def signed_angle(start, end, axis):
 
 def rotated(normals, axis, angle):
     """Turn unit normals about the unit axes they are perpendicular to."""
+    if not angle.any():
+        return normals.copy()
     return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * np.cross(axis, normals)
 
 

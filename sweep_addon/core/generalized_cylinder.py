@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The generalized cylinder: G(u, v) = t(u) + Sx(u) cx(v) e2(u) + Sy(u) cy(v) e3(u)."""
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -11,7 +12,7 @@ from .along import Along, tapers, tips
 from .contours import Circle, Contour
 from .ends import End, Flat, Taper
 from .frames import Frame, RotationMinimizing, axes
-from .grid import Chart, Grid
+from .grid import Chart, Grid, lengths_around
 from .laws import Law
 from .mesh import Mesh
 from .parameters import angle, declared, parameter, require
@@ -82,16 +83,16 @@ class GeneralizedCylinder:
         vertices = len(stations.s) * len(section.points)
         require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", f"{vertices:,}", "samples")
 
-        scale_x, scale_y, twist = along.at(stations.s)
+        scale_x, scale_y, twist = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y)
         if mirrored:
-            section, scale_x = section.mirrored(), -scale_x
+            section, scale_x = mirror(section), -scale_x
         e2, e3, said = axes(self.frame, stations, twist)
         grid = Grid(
             rings=len(stations.s),
             tips=tuple(np.flatnonzero(points).tolist()),
             closed=closed,
-            creases=tuple(np.flatnonzero(np.einsum("ij,ij->i", stations.arrive, stations.leave) < CREASE).tolist()),
+            creases=creases(stations),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
             caps=tuple(
@@ -99,14 +100,15 @@ class GeneralizedCylinder:
                 for end, station in zip(ends, (0, -1), strict=True)
             ),
         )
-        rings = np.stack((stations.points, *mitred(stations, e2 * scale_x[:, None], e3 * scale_y[:, None])))
+        rings = np.stack((stations.points, e2 * scale_x[:, None], e3 * scale_y[:, None]))
+        rings[1:, stations.corners] = mitred(stations, rings[1:, stations.corners])
         scales = np.stack((scale_x, scale_y), axis=1)
         chart = Chart(
             grid,
             stations.u,
             stations.s,
             stations.total,
-            section.lengths_around(np.abs(scales[~points]).mean(axis=0)),
+            lengths_around(section, np.abs(scales[~points]).mean(axis=0)),
             tuple(section.points * scales[station] for station in (0, -1)),
         )
         return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said)
@@ -120,14 +122,27 @@ def stand(samples, along, reach):
     return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
 
 
-def mitred(stations, *axes):
-    """Axes (n, 3) stretched at corners by 1 / cos(half the turn), in the plane of the turn and across the bisector.
+def creases(stations):
+    """The stations where a mitre turns so much that it is an edge."""
+    turn = np.einsum("ij,ij->i", stations.arrive[stations.corners], stations.leave[stations.corners])
+    return tuple(stations.corners[turn < CREASE].tolist())
+
+
+def mirror(section):
+    """The section seen in a mirror along y, its area on the left again."""
+    flipped = replace(section, points=section.points * (-1, 1))
+    return flipped.reversed(np.full(len(section.offsets) - 1, True))
+
+
+def mitred(stations, axes):
+    """Axes (2, k, 3) at the corners, stretched by 1 / cos(half the turn) in the plane of the turn.
 
     So the ring lies in the bisector plane and both legs keep their cross-section.
     """
-    stretch = 1 / np.einsum("ij,ij->i", stations.tangent, stations.leave) - 1
-    across = unit(stations.leave - stations.arrive)
-    return [axis + (stretch * np.einsum("ij,ij->i", axis, across))[:, None] * across for axis in axes]
+    arrive, leave, tangent = (part[stations.corners] for part in (stations.arrive, stations.leave, stations.tangent))
+    stretch = 1 / np.einsum("ij,ij->i", tangent, leave) - 1
+    across = unit(leave - arrive)
+    return axes + (stretch * np.einsum("aij,ij->ai", axes, across))[..., None] * across
 
 
 def drawn(rings, section, tips, dtype):

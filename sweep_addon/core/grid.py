@@ -7,6 +7,7 @@ column, so that all of them come from one matrix product of the section with the
 has shrunk to nothing is one vertex, a tip, behind all the others.
 """
 
+import zlib
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -101,7 +102,9 @@ def build(grid):
     sides = list(side_faces(grid, vertex, along, around, following))
     caps, inner = cap_faces(grid, vertex, around, len(edges))
     faces = sides + caps
-    sizes = np.concatenate([np.full(len(corners) // size, size) if np.isscalar(size) else size for corners, _, size in faces])
+    sizes = np.concatenate(
+        [np.full(len(corners) // size, size) if np.isscalar(size) else size for corners, _, size in faces]
+    )
     material = np.full(len(sizes), SIDE, np.int32)
     material[sum(len(corners) // size for corners, _, size in sides) :] = CAP
     return Topology(
@@ -205,10 +208,16 @@ class Chart:
     around: np.ndarray
     ends: tuple
 
+    @property
     def key(self):
-        """Bytes that differ where the texture coordinates or attributes differ."""
+        """A short text that differs where the texture coordinates or attributes differ."""
         parts = (self.u, self.s, self.around, *self.ends)
-        return b"".join(np.ascontiguousarray(part).tobytes() for part in parts)
+        return "".join(f"{zlib.crc32(np.ascontiguousarray(part).data):08x}" for part in parts)
+
+    @property
+    def rings(self):
+        """How many contours stand along the trajectory."""
+        return self.grid.rings
 
     def columns(self):
         """The length round the contour where each column's face starts and where it ends: two (m,)."""
@@ -262,3 +271,14 @@ class Chart:
 
         v = np.concatenate((np.repeat(start, len(whole)), np.zeros(len(tips))))
         return {"u": by_ring(self.u), "v": v.astype(dtype), "arc_length": by_ring(self.s)}
+
+
+def lengths_around(section, scale):
+    """The length round a section at each point, loop after loop, each loop with its end: (m + k,) float array.
+
+    The loops lie side by side, none over another; scale, (2,), stretches the section's axes.
+    """
+    edges = np.linalg.norm((section.points[section.following] - section.points) * scale, axis=1)
+    reached = np.concatenate(([0.0], np.cumsum(edges)))
+    parts = [reached[start : end + 1] for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True)]
+    return np.concatenate(parts)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A mesh of arrays, and what can be measured on it."""
 
+import zlib
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -34,6 +35,12 @@ class Topology:
     corner_edges: np.ndarray
     sharp: np.ndarray
     material: np.ndarray
+
+    @cached_property
+    def key(self):
+        """A short text that differs where topologies differ."""
+        parts = (self.corners, self.offsets, self.edges, self.sharp, self.material)
+        return "".join(f"{zlib.crc32(np.ascontiguousarray(part).data):08x}" for part in parts)
 
     @cached_property
     def following(self):
@@ -72,7 +79,7 @@ class Mesh:
         Places in metres.
     topology : Topology
     chart : object, optional
-        The source of texture coordinates and attributes: ``uv()``, ``attributes()`` and ``key()``.
+        The source of texture coordinates and attributes: ``uv()``, ``attributes()``, ``rings`` and ``key``.
     told : tuple of str
         Sentences about the shape for people: what was decided where the parameters left it open.
     """
@@ -93,6 +100,11 @@ class Mesh:
     @property
     def edges(self):
         return self.topology.edges
+
+    @property
+    def rings(self):
+        """How many contours stand along the trajectory."""
+        return self.chart.rings
 
     @cached_property
     def uv(self):

@@ -69,9 +69,16 @@ class Stations:
         return self.s / self.total
 
     @cached_property
+    def corners(self):
+        """Indices of the stations where the tangent turns at once: (k,)."""
+        return np.flatnonzero((self.arrive != self.leave).any(axis=1))
+
+    @cached_property
     def tangent(self):
         """The unit tangent e1: at a corner the bisector, in whose plane the contour is mitred."""
-        return unit(self.arrive + self.leave)
+        tangent = self.leave.copy()
+        tangent[self.corners] = unit(self.arrive[self.corners] + self.leave[self.corners])
+        return tangent
 
     @property
     def onward(self):

@@ -33,7 +33,9 @@ class Bezier(Trajectory):
         require(fits, f"must be {form}: knot, handle, handle, ...", len(self.points), "points")
         moves = np.abs(np.diff(self.segments, axis=1)).max(axis=(1, 2))
         still = moves <= 1e-9 * max(np.ptp(self.points.values, axis=0).max(), 1e-300)
-        require(not still.any(), "must have no segment without length", f"segment {int(np.argmax(still)) + 1}", "points")
+        require(
+            not still.any(), "must have no segment without length", f"segment {int(np.argmax(still)) + 1}", "points"
+        )
 
     @property
     def segments(self):

@@ -118,7 +118,3 @@ def nonempty(knots, span):
         span = np.where(empty, span - 1, span)
         empty = (knots[span + 1] <= knots[span]) & (span > 0)
     return span
-
-
-
-

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Declared parameters as a layout: the same lines in the sidebar and in the panel of the last operation."""
+
+from ..core.parameters import inside, spelled
+from .rna import chosen_kinds, label, listed
+
+SHORT = 12  # rows of a list that can still be read and typed as text
+
+
+def draw(layout, group, declared):
+    """Every parameter; those of one group in a sub-panel that starts folded."""
+    bodies = {"": layout}
+    for p in declared:
+        if p.group not in bodies:
+            header, body = layout.panel(f"sweep_{p.group.lower().replace(' ', '_')}", default_closed=True)
+            header.label(text=p.group)
+            bodies[p.group] = body
+        if bodies[p.group]:
+            draw_one(bodies[p.group], group, p, p.name)
+
+
+def draw_one(layout, group, p, name):
+    """One parameter, and of a union the chosen kind's own, joined to it."""
+    if p.is_list:
+        draw_list(layout, group, p, name)
+        return
+    if not p.kinds:
+        layout.prop(group, name)
+        return
+    column = layout.column(align=True)
+    column.prop(group, name)
+    chosen = getattr(group, name)
+    kind = chosen_kinds(p).get(chosen)
+    if kind is None:
+        if p.accepts and chosen == "OBJECT":
+            column.prop(group, f"{name}_object", text=" ")
+        return
+    inner = inside(p, kind)
+    for q in inner:
+        if q.kinds or q.is_list:
+            draw_one(column, group, q, f"{name}_{spelled(kind, '_')}_{q.name}")
+        else:
+            column.prop(group, f"{name}_{spelled(kind, '_')}_{q.name}", text="" if q.shorthand else label(q))
+
+
+def draw_list(layout, group, p, name):
+    """A short list is text to type in; of a long one, how long it is."""
+    values = listed(getattr(group, name))
+    if isinstance(values, list) and len(values) > SHORT or p.type is not None and len(getattr(group, name)) > 400:
+        row = layout.row()
+        row.label(text=f"{label(p)}: {len(values)}")
+    else:
+        layout.prop(group, name)

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of arrays written into Blender's, through attributes in the types that Blender stores.
+
+Measured at 640,000 vertices: places alone 1 ms, where `vertices.foreach_set` takes 160; a new topology 70 ms, where
+`from_pydata` takes 1,200.
+"""
+
+import bmesh
+import numpy as np
+
+TEXTURE = "UVMap"
+
+
+def write(mesh, made, topology="", texture=""):
+    """Write a mesh of arrays into a Blender mesh, as little of it as differs.
+
+    Parameters
+    ----------
+    mesh : bpy.types.Mesh
+        Keeps its name, materials, animation and users.
+    made : Mesh
+    topology, texture : str
+        What this function returned when the mesh was written before; what has not changed is not written again.
+
+    Returns
+    -------
+    topology, texture : str
+    """
+    count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
+    if made.topology.key != topology or not count:
+        write_topology(mesh, made.topology, len(made.vertices))
+        texture = ""
+    values = np.ascontiguousarray(made.vertices, dtype=np.float32)
+    mesh.attributes["position"].data.foreach_set("vector", values.ravel())
+    charted = made.chart.key if made.chart else ""
+    if charted != texture:
+        write_texture(mesh, made.chart)
+    mesh.update()
+    return made.topology.key, charted
+
+
+def equal(mesh, made):
+    """Whether a Blender mesh still has the places and corners of a mesh of arrays."""
+    if (len(mesh.vertices), len(mesh.loops)) != (len(made.vertices), len(made.corners)):
+        return False
+    places = np.empty(made.vertices.size, np.float32)
+    corners = np.empty(len(made.corners), np.int32)
+    mesh.attributes["position"].data.foreach_get("vector", places)
+    mesh.attributes[".corner_vert"].data.foreach_get("value", corners)
+    return bool((places == made.vertices.astype(np.float32).ravel()).all() and (corners == made.corners).all())
+
+
+def write_topology(mesh, topology, vertices):
+    """Replace all faces and edges."""
+    empty = bmesh.new()  # clear_geometry() would delete the keyframes and drivers of the mesh
+    empty.to_mesh(mesh)
+    empty.free()
+    mesh.vertices.add(vertices)
+    mesh.edges.add(len(topology.edges))
+    mesh.loops.add(len(topology.corners))
+    mesh.polygons.add(len(topology.offsets) - 1)
+    mesh.polygons.foreach_set("loop_start", topology.offsets[:-1])
+    mesh.attributes[".edge_verts"].data.foreach_set("value", topology.edges.ravel())
+    mesh.attributes[".corner_vert"].data.foreach_set("value", topology.corners)
+    mesh.attributes[".corner_edge"].data.foreach_set("value", topology.corner_edges)
+    attribute(mesh, "sharp_edge", "BOOLEAN", "EDGE").data.foreach_set("value", topology.sharp)
+    attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
+
+
+def write_texture(mesh, chart):
+    """Replace texture coordinates and named attributes."""
+    layer = attribute(mesh, TEXTURE, "FLOAT2", "CORNER")
+    layer.data.foreach_set("vector", chart.uv(np.float32).ravel())
+    for name, values in chart.attributes(np.float32).items():
+        attribute(mesh, name, "FLOAT", "POINT").data.foreach_set("value", values)
+
+
+def attribute(mesh, name, type, domain):
+    """The attribute of that name and type, made anew where a person's own is in its way."""
+    found = mesh.attributes.get(name)
+    if found and (found.data_type, found.domain) != (type, domain):
+        mesh.attributes.remove(found)
+        found = None
+    return found or mesh.attributes.new(name, type, domain)

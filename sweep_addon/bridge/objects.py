@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes as objects of a Blender scene, and back."""
+
+import bpy
+
+from ..core.parameters import ShapeError, at, parameters, spelled
+from ..core.shapes import SHAPES
+from . import curves, meshes, rna
+
+SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
+
+
+def new_mesh(shape, name=None, **objects):
+    """A mesh of a shape: live where the extension is enabled, else just its faces.
+
+    Parameters
+    ----------
+    shape : a shape
+    name : str, optional
+    **objects : bpy.types.Object
+        Objects that stand for parameters of the shape, as ``trajectory=curve``.
+
+    Raises
+    ------
+    ShapeError
+        Nothing is left behind.
+    """
+    mesh = bpy.data.meshes.new(name or title(type(shape)))
+    try:
+        if hasattr(mesh, "sweep"):
+            rna.assign(mesh.sweep, shape, **objects)
+            if mesh.sweep.error:
+                raise ShapeError(mesh.sweep.error)
+        else:
+            meshes.write(mesh, shape.mesh(dtype="f4"))
+    except ShapeError:
+        bpy.data.meshes.remove(mesh)
+        raise
+    mesh.materials.append(None)
+    mesh.materials.append(None)
+    return mesh
+
+
+def to_object(shape, name=None):
+    """A shape as a live object of the scene.
+
+    Parameters
+    ----------
+    shape : a shape
+    name : str, optional
+        Of the object and its mesh; by default the shape's.
+
+    Returns
+    -------
+    bpy.types.Object
+        Linked to the scene's collection. Its parameters are ``object.data.sweep``.
+
+    Raises
+    ------
+    ShapeError
+        Where the shape cannot be made; the scene is as it was.
+    """
+    mesh = new_mesh(shape, name)
+    ob = bpy.data.objects.new(mesh.name, mesh)
+    bpy.context.scene.collection.objects.link(ob)
+    return ob
+
+
+def from_object(ob):
+    """The shape that an object shows, with its input objects read into it.
+
+    Parameters
+    ----------
+    ob : bpy.types.Object
+        One that ``to_object`` or the sidebar made.
+
+    Returns
+    -------
+    A shape; of a trajectory of several splines, that along the first.
+
+    Raises
+    ------
+    ShapeError
+        Where the object is no sweep or its parameters are refused.
+    """
+    if not is_sweep(ob):
+        raise ShapeError(f"must be a sweep, got {ob.name!r}", "object")
+    return shapes(ob.data)[0]
+
+
+def is_sweep(ob):
+    """Whether an object's mesh is made from parameters."""
+    return ob is not None and ob.type == "MESH" and ob.data.sweep.kind != "NONE"
+
+
+def title(shape):
+    """The name of a shape's class for people."""
+    return spelled(shape, " ").title()
+
+
+def group_of(mesh):
+    """The shape's class, and the property group that holds its parameters."""
+    return SHAPE[mesh.sweep.kind], getattr(mesh.sweep, mesh.sweep.kind.lower())
+
+
+def inputs(mesh):
+    """The objects that stand for parameters of a mesh, by the parameter's name."""
+    shape, group = group_of(mesh)
+    return rna.objects(group, parameters(shape))
+
+
+def shapes(mesh, depsgraph=None):
+    """The shapes that a mesh is made of: one, or one for each spline of its trajectory.
+
+    With a depsgraph, the mesh is an evaluated one and objects are read as they are in it.
+    """
+    shape, group = group_of(mesh)
+    paths = {}
+
+    def resolve(ob, p, number=0):
+        with at(p.name):
+            if "FONT" in p.accepts:
+                return curves.outline(ob, depsgraph)
+            if p.name not in paths:
+                paths[p.name] = curves.trajectories(ob, depsgraph)
+        return paths[p.name][number]
+
+    first = rna.read(group, shape, resolve)
+    count = max(map(len, paths.values()), default=1)
+    others = (rna.read(group, shape, lambda ob, p, i=i: resolve(ob, p, i)) for i in range(1, count))
+    return [first, *others]

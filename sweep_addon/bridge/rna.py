@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Declared parameters as Blender properties: define, read, assign.
+
+A union is an enum beside the flat, prefixed properties of all its kinds, `contour` and `contour_circle_radius`, so
+that operators, presets, scripts and keyframes reach each by a plain name. A list is JSON in one hidden string.
+"""
+
+import json
+import zlib
+from enum import EnumMeta
+from functools import lru_cache
+
+import bpy
+import numpy as np
+
+from ..core.forms import plain
+from ..core.parameters import inside, parameters, require, spelled
+
+UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
+WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
+SMALLEST = 1e-6  # where a slider stops that must be more than 0; typed text and scripts may go below
+
+
+def annotations(declared, prefix="", pointers=False, **callbacks):
+    """The properties of some parameters; an operator can hold no pointers."""
+    made = {}
+    for p in declared:
+        name = prefix + p.name
+        common = {"name": label(p), "description": p.doc, **callbacks}
+        made[name] = define(p, pointers, common)
+        for kind in p.kinds:
+            made |= annotations(inside(p, kind), f"{name}_{spelled(kind, '_')}_", pointers, **callbacks)
+        if p.accepts and pointers:
+            made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=only(p.accepts), **common)
+    return made
+
+
+def define(p, pointers, common):
+    """The property of one parameter."""
+    common = {**common, "default": stored(p, p.default)}
+    if p.kinds or isinstance(p.type, EnumMeta):
+        items = [item(kind, first_line(kind.__doc__)) for kind in p.kinds]
+        items = items or [item(member, member.value) for member in p.type]
+        if p.accepts and pointers:
+            items.append(("OBJECT", "Object", "An object of the scene", 0))
+        return bpy.props.EnumProperty(items=items, **common)
+    if p.type in (bool, str) or p.is_list:
+        maker = bpy.props.BoolProperty if p.type is bool else bpy.props.StringProperty
+        return maker(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
+    widest = WIDEST[p.type is int]
+    lowest = max(p.minimum, p.above + SMALLEST, -widest)
+    limits = {"min": lowest, "max": min(p.maximum, widest)}
+    if p.soft_maximum is not None:
+        limits["soft_max"] = p.soft_maximum
+    if p.type is int:
+        return bpy.props.IntProperty(**common, **{key: int(value) for key, value in limits.items()})
+    common |= {**limits, "unit": UNITS[p.unit], "precision": 3, "step": 1 if p.unit == "length" else 10}
+    if p.type is float:
+        return bpy.props.FloatProperty(**common)
+    return bpy.props.FloatVectorProperty(size=len(p.default), subtype="XYZ", **common)
+
+
+def item(choice, doc):
+    """An enum's item. Its number is saved in files and goes through float32 in keyframes: from the name, 24 bits."""
+    name = spelled(choice, "_")
+    return name.upper(), name.replace("_", " ").title(), doc, zlib.crc32(name.encode()) % 2**24
+
+
+def first_line(text):
+    return text.strip().splitlines()[0]
+
+
+def only(types):
+    return lambda group, ob: ob.type in types
+
+
+def label(p):
+    return p.name.replace("_", " ").title()
+
+
+def stored(p, value):
+    """A value as its property holds it."""
+    if p.kinds:
+        return spelled(type(value), "_").upper()
+    if isinstance(p.type, EnumMeta):
+        return value.name
+    return json.dumps(plain(value)) if p.is_list else value
+
+
+def meant(p, held):
+    """What a property holds, as a job would write it."""
+    if p.is_list:
+        return listed(held)
+    if isinstance(p.type, EnumMeta):
+        return held.lower().replace("_", "-")
+    if p.type is float:
+        return decimal(held, p.default, p.minimum, p.maximum)
+    if isinstance(p.default, tuple):
+        return [decimal(number) for number in held]
+    return held
+
+
+@lru_cache(maxsize=64)
+def listed(text):
+    """The list in a hidden string; any other text is left for the check to refuse in its own words."""
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError):
+        return text
+
+
+def decimal(single, *declared):
+    """The number that a person meant by a float32: a declared one, or the shortest decimal."""
+    return next((n for n in declared if np.float32(n) == single), float(str(np.float32(single))))
+
+
+def read(group, shape, resolve=None):
+    """The shape that a group or an operator describes; resolve turns an object into a value."""
+    return shape(**table(group, parameters(shape), "", resolve))
+
+
+def table(group, declared, prefix, resolve):
+    """The plain table of some parameters, as a job would hold it."""
+    held = {}
+    for p in declared:
+        name = prefix + p.name
+        value = getattr(group, name)
+        kinds = chosen_kinds(p)
+        if value in kinds:
+            inner = table(group, inside(p, kinds[value]), f"{name}_{value.lower()}_", resolve)
+            held[p.name] = {"kind": spelled(kinds[value]), **inner}
+        elif value == "OBJECT" and p.accepts:
+            chosen = getattr(group, f"{name}_object")
+            require(
+                chosen is not None, "must be an object of the scene", "none: it was deleted or not chosen yet", p.name
+            )
+            held[p.name] = resolve(chosen, p)
+        else:
+            held[p.name] = meant(p, value)
+    return held
+
+
+def chosen_kinds(p):
+    """The kinds of a union by the identifiers of their items."""
+    return {spelled(kind, "_").upper(): kind for kind in p.kinds}
+
+
+def objects(group, declared):
+    """The objects that stand for values in a group, by the name of their parameter."""
+    return {
+        p.name: getattr(group, f"{p.name}_object") for p in declared if p.accepts and getattr(group, p.name) == "OBJECT"
+    }
+
+
+def assign(sweep, shape, **objects):
+    """Make a mesh's parameters describe a shape, some of them given by objects, and rebuild once."""
+    name = spelled(type(shape), "_")
+    group = getattr(sweep, name)
+    sweep.paused = True
+    try:
+        sweep.kind = name.upper()
+        write(group, parameters(type(shape)), shape)
+        for key, ob in objects.items():
+            setattr(group, f"{key}_object", ob)
+            setattr(group, key, "OBJECT")
+    finally:
+        sweep.paused = False
+
+
+def write(group, declared, value, prefix=""):
+    """Set the properties of some parameters, and of a union only those of the chosen kind."""
+    for p in declared:
+        name, part = prefix + p.name, getattr(value, p.name)
+        setattr(group, name, stored(p, part))
+        if p.kinds:
+            write(group, inside(p, type(part)), part, f"{name}_{spelled(type(part), '_')}_")

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A digest: a short text that is the same for equal values, in every session and on every machine."""
+
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from hashlib import blake2b
+
+from .parameters import Array
+
+
+def digest(value):
+    """The digest of a declared value, or of a list of them.
+
+    Parameters
+    ----------
+    value : declared value, or list or tuple of such
+        What its fields hold: numbers, text, options, arrays and further declared values.
+
+    Returns
+    -------
+    str
+        32 hexadecimal digits.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Circle
+    >>> digest(Circle(1)) == digest(Circle(1.0)), digest(Circle(1)) == digest(Circle(2))
+    (True, False)
+    """
+    sink = blake2b(digest_size=16)
+    feed(sink, value)
+    return sink.hexdigest()
+
+
+def feed(sink, value):
+    if isinstance(value, Array):
+        sink.update(repr(value.values.shape).encode() + value.values.tobytes())
+    elif isinstance(value, Enum):
+        sink.update(value.name.encode())
+    elif isinstance(value, (list, tuple)):
+        sink.update(f"[{len(value)}".encode())
+        for item in value:
+            feed(sink, item)
+    elif is_dataclass(value):
+        sink.update(f"<{type(value).__qualname__}".encode())
+        for field in fields(value):
+            feed(sink, getattr(value, field.name))
+    else:
+        sink.update(repr(value).encode() + b"|")

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What makes sweeps follow keyframes, drivers and their input objects: handlers that look only at what was updated."""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..bridge.objects import inputs
+from .live import differs, rebuild, set_if_other
+
+INPUTS = {"CURVE", "FONT"}
+
+
+@persistent
+def after_update(scene, depsgraph):
+    """An input object was edited or moved, a driver's input moved, or a mesh was edited by hand."""
+    updates = depsgraph.updates
+    found = {update.id.original for update in updates if isinstance(update.id, bpy.types.Mesh)}
+    found |= users_of(changed_inputs(updates))
+    for mesh in found:
+        if mesh.sweep.kind == "NONE":
+            continue
+        rebuild(mesh, depsgraph)
+        if mesh.is_editmode:
+            set_if_other(mesh.sweep, "edited", True)
+        elif mesh.sweep.edited:
+            set_if_other(mesh.sweep, "edited", differs(mesh))
+
+
+@persistent
+def after_frame(scene, depsgraph):
+    """Time has passed: parameters with keyframes or drivers, and sweeps of animated input objects."""
+    moving = {mesh for mesh in bpy.data.meshes if mesh.animation_data and mesh.sweep.kind != "NONE"}
+    for mesh in moving | users_of(changed_inputs(depsgraph.updates)):
+        rebuild(mesh, depsgraph)
+
+
+@persistent
+def after_render(scene, *_):
+    """A render leaves the mesh of its last frame behind: the frame that is shown comes back."""
+    for mesh in bpy.data.meshes:
+        if mesh.sweep.kind != "NONE" and (mesh.animation_data or inputs(mesh)):
+            rebuild(mesh)
+
+
+def changed_inputs(updates):
+    """The original curve and text objects among the updated data."""
+    return {
+        update.id.original for update in updates if isinstance(update.id, bpy.types.Object) and update.id.type in INPUTS
+    }
+
+
+def users_of(changed):
+    """The meshes that are made from any of some objects."""
+    if not changed:
+        return set()
+    sweeps = (mesh for mesh in bpy.data.meshes if mesh.sweep.kind != "NONE")
+    return {mesh for mesh in sweeps if not changed.isdisjoint(inputs(mesh).values())}
+
+
+HANDLERS = (
+    (bpy.app.handlers.depsgraph_update_post, after_update),
+    (bpy.app.handlers.frame_change_post, after_frame),
+    (bpy.app.handlers.render_complete, after_render),
+    (bpy.app.handlers.render_cancel, after_render),
+)
+
+
+def register():
+    for handlers, function in HANDLERS:
+        handlers.append(function)
+
+
+def unregister():
+    for handlers, function in HANDLERS:
+        handlers.remove(function)

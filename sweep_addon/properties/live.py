@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One function that makes a mesh from its parameters anew, and does nothing where nothing has changed."""
+
+import numpy as np
+
+from ..bridge import meshes, objects
+from ..core.digest import digest
+from ..core.joining import joined
+from ..core.parameters import ShapeError
+
+SHAPE_KEYS = "The mesh has shape keys, which a new mesh would lose: remove them, or Apply to keep the mesh as it is"
+
+
+def rebuild(mesh, depsgraph=None):
+    """Make a mesh from its parameters, unless it already is.
+
+    Parameters
+    ----------
+    mesh : bpy.types.Mesh
+        The original. A linked one and one in Edit Mode are left alone.
+    depsgraph : bpy.types.Depsgraph, optional
+        Where animated parameters and inputs are read; a render has its own and gives nothing back to the originals.
+    """
+    sweep = mesh.sweep
+    if sweep.kind == "NONE" or not mesh.is_editable or mesh.is_editmode:
+        return
+    try:
+        if mesh.shape_keys:
+            raise ShapeError(SHAPE_KEYS)
+        shapes = objects.shapes(mesh.evaluated_get(depsgraph) if depsgraph else mesh, depsgraph)
+        wanted = digest(shapes)
+        if wanted == sweep.made and not sweep.error:
+            return
+        made = joined([shape.mesh(dtype=np.float32) for shape in shapes])
+    except ShapeError as error:
+        set_if_other(sweep, "error", str(error))
+        return
+    known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
+    sweep.topology, sweep.texture = meshes.write(mesh, made, *known)
+    sweep.made, sweep.rings = wanted, made.rings
+    for name, value in (("error", ""), ("told", "\n".join(made.told)), ("edited", False)):
+        set_if_other(sweep, name, value)
+
+
+def differs(mesh):
+    """Whether somebody has changed a mesh since it was made from its parameters."""
+    try:
+        made = joined([shape.mesh(dtype=np.float32) for shape in objects.shapes(mesh)])
+    except ShapeError:
+        return False
+    return not meshes.equal(mesh, made)
+
+
+def set_if_other(sweep, name, value):
+    """Set a property only where it changes: setting one marks the mesh as updated, which calls the handlers again."""
+    if getattr(sweep, name) != value:
+        setattr(sweep, name, value)
