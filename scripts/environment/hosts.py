@@ -57,7 +57,7 @@ def numpy(arguments):
 
 def wheel(arguments):
     """the bpy wheel of the oldest supported Blender, the checkout as a live extension."""
-    return suite("wheel", venvs.made(venvs.BLENDER), *arguments)
+    return suite("wheel", venvs.made(venvs.BLENDER), *arguments, environment={"SWEEP_BLENDER": "wheel"})
 
 
 def blender(arguments):

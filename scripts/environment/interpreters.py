@@ -12,7 +12,10 @@ from .steps import step
 
 OLDEST = (3, 11)
 WITH_WHEEL = ((3, 11), (3, 13))  # Pythons for which bpy is published: 4.5 LTS, the oldest supported, and 5.2 LTS
-PROBE = "import sys, ensurepip, venv; print(sys.executable, *sys.version_info[:2], sep='\\n')"
+PROBE = """
+import sys, ensurepip, venv
+print(getattr(sys, "_base_executable", sys.executable), *sys.version_info[:2], sep="\\n")
+"""
 
 
 def any_python():

@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""scripts/blender speaks Blender's command line, whether the real one or the bpy wheel is behind it."""
+
+import importlib.util
+import subprocess
+from pathlib import Path
+
+import pytest
+
+LAUNCHER = Path(__file__).resolve().parents[1] / "scripts" / "blender"
+pytestmark = pytest.mark.skipif(not importlib.util.find_spec("bpy"), reason="needs Blender, and this host has none")
+
+SMALL_SCENE = """
+import bpy
+scene = bpy.context.scene
+scene.render.engine, scene.cycles.samples = "CYCLES", 1
+scene.render.resolution_x = scene.render.resolution_y = 16
+"""
+
+
+def blender(*arguments):
+    command = [LAUNCHER, "--background", "--factory-startup", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120)
+
+
+def test_version_is_a_supported_one():
+    answer = blender("--version").stdout
+    major, minor = answer.split()[1].split(".")[:2]
+    assert answer.startswith("Blender ") and (int(major), int(minor)) >= (4, 5)
+
+
+@pytest.mark.parametrize(
+    ("options", "code"),
+    [
+        (["--python-exit-code", "3", "--python-expr", "1 / 0"], 3),
+        (["--python-expr", "1 / 0"], 0),
+        (["--python-exit-code", "3", "--python-expr", "import sys; sys.exit(4)"], 4),
+        (["--command", "nobody-registered-this"], 1),
+    ],
+)
+def test_exit_code_is_blenders(options, code):
+    assert blender(*options).returncode == code
+
+
+def test_options_act_in_order_and_arguments_after_two_dashes_are_the_script_s(tmp_path):
+    script = tmp_path / "a script.py"
+    script.write_text("import bpy, sys; print(bpy.context.scene.frame_start, sys.argv[sys.argv.index('--') + 1 :])")
+    answer = blender("-s", 3, "--python", script, "-s", 4, "--python", script, "--", "--engine", "own")
+    lines = [line for line in answer.stdout.splitlines() if "own" in line]
+    assert lines == ["3 ['--engine', 'own']", "4 ['--engine', 'own']"], answer.stdout
+
+
+def test_rendered_frames_are_named_by_their_number(tmp_path):
+    answer = blender("--python-expr", SMALL_SCENE, "-o", tmp_path / "###", "-F", "PNG", "-f", "2,5..6")
+    assert sorted(path.name for path in tmp_path.glob("*")) == ["002.png", "005.png", "006.png"], answer.stdout
+
+
+def test_a_script_can_start_the_same_blender():
+    expression = "import bpy, subprocess; print(subprocess.run([bpy.app.binary_path, '--version']).returncode, 'again')"
+    answer = blender("--python-expr", expression)
+    assert "0 again" in answer.stdout, answer.stdout
