@@ -33,11 +33,9 @@ def write(mesh, made, topology="", texture=""):
         texture = ""
     values = np.ascontiguousarray(made.vertices, dtype=np.float32)
     mesh.attributes["position"].data.foreach_set("vector", values.ravel())
-    charted = made.chart.key if made.chart else ""
-    if charted != texture:
-        write_texture(mesh, made.chart)
+    write_texture(mesh, made.chart, texture.split("|"))
     mesh.update()
-    return made.topology.key, charted
+    return made.topology.key, "|".join(made.chart.keys)
 
 
 def equal(mesh, made):
@@ -68,12 +66,16 @@ def write_topology(mesh, topology, vertices):
     attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
 
 
-def write_texture(mesh, chart):
-    """Replace texture coordinates and named attributes."""
-    layer = attribute(mesh, TEXTURE, "FLOAT2", "CORNER")
-    layer.data.foreach_set("vector", chart.uv(np.float32).ravel())
-    for name, values in chart.attributes(np.float32).items():
-        attribute(mesh, name, "FLOAT", "POINT").data.foreach_set("value", values)
+def write_texture(mesh, chart, known):
+    """Replace texture coordinates and named attributes where they differ from the known ones."""
+    along, across = chart.keys
+    if [along, across] != known:
+        layer = attribute(mesh, TEXTURE, "FLOAT2", "CORNER")
+        layer.data.foreach_set("vector", chart.uv(np.float32).ravel())
+    values = {} if along == known[0] else chart.along(np.float32)
+    values |= {} if across == known[-1] else chart.across(np.float32)
+    for name, array in values.items():
+        attribute(mesh, name, "FLOAT", "POINT").data.foreach_set("value", array)
 
 
 def attribute(mesh, name, type, domain):

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Along the path: how the contour is scaled and turned at each station, its tapers included."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .ends import Taper
-from .laws import Law
+from .laws import Constant, Law
 from .parameters import ShapeError, at, require
 from .sampling import WIDEST_TURN
 from .trajectories.arc_length import arc_length
@@ -37,6 +37,11 @@ class Along:
     @property
     def is_constant(self):
         return self.scale_x.is_constant and self.scale_y.is_constant and self.twist.is_constant
+
+    def unchanging(self):
+        """The same for all laws that are constant, whose values do not move the stations."""
+        one = Constant(1.0)
+        return replace(self, scale_x=one, scale_y=one, twist=one) if self.is_constant else self
 
     def at(self, s, u=None):
         """Scales along e2 and e3 and the twist in radians at arc lengths, or at parameters known: three (n,)."""

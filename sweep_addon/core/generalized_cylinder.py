@@ -79,7 +79,7 @@ class GeneralizedCylinder:
             told += ("Ends: a closed trajectory has none, so nothing tapers.",)
         along = Along(self.trajectory, self.scale_x, self.scale_y, self.twist, tapers(*ends))
         reach = 0.0 if along.is_constant else float(np.linalg.norm(section.points, axis=1).max())
-        stations = stand(self.samples, along, reach)
+        stations = stand(self.samples, along.unchanging(), reach)
         vertices = len(stations.s) * len(section.points)
         require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", f"{vertices:,}", "samples")
 

@@ -209,10 +209,9 @@ class Chart:
     ends: tuple
 
     @property
-    def key(self):
-        """A short text that differs where the texture coordinates or attributes differ."""
-        parts = (self.u, self.s, self.around, *self.ends)
-        return "".join(f"{zlib.crc32(np.ascontiguousarray(part).data):08x}" for part in parts)
+    def keys(self):
+        """Two short texts that differ where what is known along the trajectory or round the contour differs."""
+        return short_text(self.u, self.s), short_text(self.around, *self.ends)
 
     @property
     def rings(self):
@@ -239,9 +238,11 @@ class Chart:
             (above & ~below, ((low, left), (low, right), (high, (left + right) / 2))),
             (below & ~above, ((low, (left + right) / 2), (high, right), (high, left))),
         ):
-            part = np.empty((grid.columns, chosen.sum(), len(corners), 2), dtype)
-            for i, (along, across) in enumerate(corners):
-                part[:, :, i, 0], part[:, :, i, 1] = along[chosen], across
+            along = np.stack([along[chosen] for along, _ in corners], axis=-1)
+            part = np.empty((grid.columns, *along.shape, 2), dtype)
+            part[..., 0] = along
+            for i, (_, across) in enumerate(corners):
+                part[:, :, i, 1] = across
             parts.append(part.reshape(-1, 2))
         return np.concatenate((*parts, *self.cap_uv(dtype)))
 
@@ -261,16 +262,26 @@ class Chart:
                 flat = flat + (self.total + margin, 0)
             yield flat[points].astype(dtype)
 
-    def attributes(self, dtype=np.float64):
-        """Values at each vertex by name: u, v (round the contour) and arc_length."""
+    def along(self, dtype=np.float64):
+        """Values at each vertex that depend on its station: u and arc_length."""
         whole, tips = self.grid.whole, list(self.grid.tips)
-        start, _ = self.columns()
 
         def by_ring(values):
-            return np.concatenate((np.tile(values[whole], self.grid.columns), values[tips])).astype(dtype)
+            values = values.astype(dtype)
+            return np.concatenate((np.tile(values[whole], self.grid.columns), values[tips]))
 
-        v = np.concatenate((np.repeat(start, len(whole)), np.zeros(len(tips))))
-        return {"u": by_ring(self.u), "v": v.astype(dtype), "arc_length": by_ring(self.s)}
+        return {"u": by_ring(self.u), "arc_length": by_ring(self.s)}
+
+    def across(self, dtype=np.float64):
+        """Values at each vertex that depend on its place on the contour: v, the length round it."""
+        start, _ = self.columns()
+        v = np.repeat(start.astype(dtype), len(self.grid.whole))
+        return {"v": np.concatenate((v, np.zeros(len(self.grid.tips), dtype)))}
+
+
+def short_text(*arrays):
+    """A few digits that differ where arrays differ."""
+    return "".join(f"{zlib.crc32(np.ascontiguousarray(array).data):08x}" for array in arrays)
 
 
 def lengths_around(section, scale):

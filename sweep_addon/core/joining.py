@@ -17,8 +17,8 @@ class Charts:
     parts: tuple
 
     @property
-    def key(self):
-        return "".join(chart.key for chart in self.parts)
+    def keys(self):
+        return tuple("".join(keys) for keys in zip(*(chart.keys for chart in self.parts), strict=True))
 
     @property
     def rings(self):
@@ -27,9 +27,16 @@ class Charts:
     def uv(self, dtype=np.float64):
         return np.concatenate([chart.uv(dtype) for chart in self.parts])
 
-    def attributes(self, dtype=np.float64):
-        parts = [chart.attributes(dtype) for chart in self.parts]
-        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    def along(self, dtype=np.float64):
+        return together([chart.along(dtype) for chart in self.parts])
+
+    def across(self, dtype=np.float64):
+        return together([chart.across(dtype) for chart in self.parts])
+
+
+def together(attributes):
+    """Values by name of several meshes, one after the other."""
+    return {name: np.concatenate([part[name] for part in attributes]) for name in attributes[0]}
 
 
 def joined(meshes):

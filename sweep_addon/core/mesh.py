@@ -79,7 +79,7 @@ class Mesh:
         Places in metres.
     topology : Topology
     chart : object, optional
-        The source of texture coordinates and attributes: ``uv()``, ``attributes()``, ``rings`` and ``key``.
+        The source of texture coordinates and attributes: ``uv()``, ``along()``, ``across()``, ``rings`` and ``keys``.
     told : tuple of str
         Sentences about the shape for people: what was decided where the parameters left it open.
     """
@@ -114,7 +114,7 @@ class Mesh:
     @cached_property
     def attributes(self):
         """Values at each vertex by name: dict of (n,) float arrays."""
-        return self.chart.attributes()
+        return self.chart.along() | self.chart.across()
 
     def volume(self):
         """The enclosed volume in cubic metres, negative where faces look inwards.
