@@ -38,7 +38,7 @@ class Render:
     metallic: float = parameter(0.0, "1 for a metal", minimum=0.0, maximum=1.0)
     roughness: float = parameter(0.35, "0 for a mirror, 1 for chalk", minimum=0.0, maximum=1.0)
     background: tuple[float, float, float] = parameter((0.90, 0.91, 0.93), "Colour behind", minimum=0.0, maximum=1.0)
-    ground: bool = parameter(True, "A ground that takes the shape's shadow")
+    ground: bool = parameter(True, "A ground that takes the shape's shadow, where the camera stands above it")
     transparent: bool = parameter(False, "Nothing behind the shape")
 
 

@@ -21,7 +21,7 @@ from .job import Engine
 
 LENS = 70.0  # mm on a sensor 36 mm wide: little perspective
 SENSOR = 36.0
-NOISE = 0.04  # where a pixel has no need of more samples
+NOISE = 0.04, 0.01  # where a pixel has no need of more samples, with a denoiser and without
 
 
 def compose(job, name, frame=0):
@@ -49,11 +49,12 @@ def compose(job, name, frame=0):
     radius = max(float(np.linalg.norm(high - low)) / 2, 1e-6)
     middle = (low + high) / 2
 
-    view = axes(render.azimuth + tau * max(frame - 1, 0) / render.frames, render.elevation)
+    azimuth = render.azimuth + tau * max(frame - 1, 0) / render.frames
+    view = axes(azimuth, render.elevation)
     stand(scene, turned(points) if render.frames > 1 else points, view, render)
-    studio.illuminate(scene, middle, radius, view)
+    studio.illuminate(scene, middle, radius, azimuth)
     studio.surround(scene, render.background)
-    if render.ground and not render.transparent and render.engine is not Engine.WORKBENCH:
+    if render.ground and render.elevation > 0 and not render.transparent and render.engine is not Engine.WORKBENCH:
         studio.lay_ground(scene, (*middle[:2], low[2]), radius, render.background)
     settle(scene, render)
     for other in scene.objects:
@@ -106,11 +107,11 @@ def settle(scene, render):
     if render.engine is Engine.CYCLES:
         import _cycles
 
-        scene.cycles.samples, scene.cycles.seed = render.samples, 0
-        scene.cycles.adaptive_threshold, scene.cycles.max_bounces = NOISE, 6
+        denoiser = bool(_cycles.with_openimagedenoise)
+        scene.cycles.samples, scene.cycles.seed, scene.cycles.max_bounces = render.samples, 0, 6
         scene.cycles.use_light_tree = False  # it pays with many lamps
-        scene.cycles.use_denoising = bool(_cycles.with_openimagedenoise)
-        scene.cycles.denoising_prefilter = "FAST"
+        scene.cycles.use_denoising, scene.cycles.denoising_prefilter = denoiser, "FAST"
+        scene.cycles.adaptive_threshold = NOISE[not denoiser]
     elif render.engine is Engine.EEVEE:
         scene.eevee.taa_render_samples = render.samples
     else:

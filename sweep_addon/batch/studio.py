@@ -7,25 +7,28 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-LIGHTS = {  # where from, seen from the camera: right, up, back in shape radii; its size in radii; its strength
-    "Key": ((-2.4, 3.4, 1.4), 2.2, 130.0),
-    "Fill": ((3.6, 0.8, 1.8), 3.6, 14.0),
-    "Rim": ((2.4, 1.2, -3.0), 1.6, 30.0),
+from .camera import axes
+
+LIGHTS = {  # where from, in radii of the shape: right of the camera, up, towards it; its size in radii; its strength
+    "Key": ((-2.2, 3.2, 2.0), 2.4, 125.0),
+    "Fill": ((3.4, 1.8, 2.2), 3.6, 16.0),
+    "Rim": ((2.2, 2.8, -2.6), 1.8, 45.0),
 }
 AMBIENT = (0.86, 0.91, 1.0), 0.45  # the sky's colour and strength
 
 
 def paint(mesh, render):
     """Two materials, for the side and for the ends, in the slots that a sweep's faces name."""
-    mesh.materials.clear()
-    for name, colour in (("Side", render.side), ("Caps", render.caps)):
+    while len(mesh.materials) < 2:
+        mesh.materials.append(None)  # clear() would forget which faces are ends
+    for slot, (name, colour) in enumerate((("Side", render.side), ("Caps", render.caps))):
         material = bpy.data.materials.new(name)
         material.use_nodes = True
         surface = material.node_tree.nodes["Principled BSDF"].inputs
         surface["Base Color"].default_value = material.diffuse_color = (*linear(colour), 1.0)
         surface["Metallic"].default_value = material.metallic = render.metallic
         surface["Roughness"].default_value = material.roughness = render.roughness
-        mesh.materials.append(material)
+        mesh.materials[slot] = material
 
 
 def linear(colour):
@@ -42,17 +45,17 @@ def facing(place, view):
     return Matrix(matrix.tolist())
 
 
-def illuminate(scene, middle, radius, view):
-    """Square lamps round a shape, whose places follow the camera's view."""
+def illuminate(scene, middle, radius, azimuth):
+    """Square lamps round a shape, that follow the camera round it."""
+    right, up, away = axes(azimuth, 0.0)
     for name, (direction, size, strength) in LIGHTS.items():
         lamp = bpy.data.lights.new(name, "AREA")
         lamp.size, lamp.energy = size * radius, strength * radius**2
-        place = radius * np.array(direction) @ (view * [[1], [1], [-1]])
-        away = -place / np.linalg.norm(place)
-        across = np.cross(away, [0, 0, 1]) if abs(away[2]) < 0.999 else np.array([1.0, 0, 0])
-        across /= np.linalg.norm(across)
+        place = radius * np.array(direction) @ [right, up, -away]
+        looks = -place / np.linalg.norm(place)
+        across = np.cross(looks, up) / np.linalg.norm(np.cross(looks, up))
         linked(scene, name, lamp).matrix_world = facing(
-            middle + place, np.array([across, np.cross(across, away), away])
+            middle + place, np.array([across, np.cross(across, looks), looks])
         )
 
 

@@ -1,0 +1,131 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A job file is read with its references and its picture, or refused with file, line and key."""
+
+import os
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import sweep_addon as sw
+from sweep_addon.batch import job as jobs
+from sweep_addon.batch.references import resolve
+from sweep_addon.core import contours
+from sweep_addon.core.parameters import ShapeError, parameters
+from sweep_addon.core.shapes import GeneralizedCylinder
+
+START = 'version = 1\nkind = "generalized-cylinder"\n'
+SQUARE = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H10V10H0Z"/></svg>'
+
+
+def written(folder, text, name="job.toml"):
+    path = folder / name
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return path
+
+
+@pytest.mark.parametrize(
+    "text, sentence",
+    {
+        START + "\nradios = 1": ":4: radios: is no parameter of GeneralizedCylinder, which has contour, ",
+        START + "[contour]\nkind = 'circle'\nradius = '3 cm'": ":5: contour.radius: must be a number, got '3 cm'",
+        START + "[contour]\nkind = 'rectangle'\nwidth = 1\nheight = 1\nrounding = 2": (
+            ":7: contour.rounding: must be at most 0.5, half the shorter side, got 2"
+        ),
+        START + "twist = '90 degrees'": ":3: twist: must be an expression of u, t, s: an operator is missing at ",
+        START + "scale_x = '9**9**9**9'": ":3: scale_x: must be finite everywhere, got inf",
+        START + "[render]\nwidth = 2": ":4: render.width: must be at least 16, got 2",
+        START + "[render]\nwidht = 200": ":4: render.widht: is no parameter of Render, which has engine, width, ",
+        START + "render = 3": ":3: render: must be a table, [render]",
+        START + "[render]\nside = [1, 0]": ":4: render.side: must be a list of 3, got [1, 0]",
+        START + "contour = {file = 'no.svg'}": ":3: contour.file: must be a file that exists, got ",
+        START + "contour = {file = 'job.toml'}": ":3: contour.file: must be an .svg or .blend file, got 'job.toml'",
+        START + "trajectory = {file = 'job.toml'}": ":3: trajectory.file: must be a .blend file, got 'job.toml'",
+        START + "trajectory = {text = 'abc'}": ":3: trajectory.text: stands for a contour only, got 'abc'",
+        START + "contour = {text = 'abc'}": ":3: contour.font: must be a .ttf or .otf file, got ''",
+        START + "contour = {file = 'a.svg', size = 2}": ":3: contour.size: is no parameter of File, which has file, ",
+        START + "contour = {file = 'a.svg', scale = 0}": ":3: contour.scale: must be more than 0, got 0",
+        "version = 9\nkind = 1": ":1: version: must be at most 1, the newest that this program reads, got 9",
+        "\nkind = 'tube'": ":2: kind: must be one of ",
+        "": ":1: kind: must be one of ",
+        "a = 1\nb = ": ":2: must be TOML: invalid value",
+        b"a = '\xff'": ":1: must be UTF-8, got the byte 0xff",
+    }.items(),
+)
+def test_a_refusal_names_file_line_and_key(tmp_path, text, sentence):
+    path = written(tmp_path, text)
+    for read in (jobs.read, sw.load):
+        with pytest.raises(jobs.JobError) as refusal:
+            read(path)
+        assert str(refusal.value).startswith(f"{path}{sentence}")
+        assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("make", [lambda path: path, lambda path: path.mkdir() or path])
+def test_what_is_no_file_is_refused(tmp_path, make):
+    with pytest.raises(ShapeError, match="must be a job file"):
+        jobs.read(make(tmp_path / "nothing.toml"))
+
+
+def test_nothing_that_does_not_end_is_read():
+    if not Path("/dev/zero").exists():
+        pytest.skip("needs /dev/zero, which this system has not")
+    with pytest.raises(ShapeError, match="must be a job file"):
+        jobs.read("/dev/zero")
+
+
+def test_a_job_is_a_path_or_text(tmp_path):
+    path = written(tmp_path, START + "twist = 'pi*t'")
+    expected = GeneralizedCylinder(twist="pi*t")
+    assert sw.load(path) == sw.load(str(path)) == sw.load(path.read_text()) == sw.load(path.read_bytes()) == expected
+    assert sw.load(sw.dump(expected)) == expected
+
+
+def test_the_digest_says_what_the_job_says(tmp_path):
+    first = jobs.read(written(tmp_path, START + "twist = 1"))
+    same = jobs.read(written(tmp_path, "# a comment\n" + START + "\ntwist   = 1", "same.toml"))
+    other = jobs.read(written(tmp_path, START + "twist = 1\n[render]\nwidth = 100", "other.toml"))
+    assert first.digest == same.digest != other.digest
+    assert other.render == jobs.Render(width=100)
+
+
+needs_svg = pytest.mark.skipif(not hasattr(contours, "from_svg"), reason="needs outlines from SVG")
+
+
+@needs_svg
+def test_a_drawing_beside_the_job_is_its_contour(tmp_path):
+    written(tmp_path, SQUARE, "square.svg")
+    path = written(tmp_path, START + "[contour]\nfile = 'square.svg'\nscale = 0.001")
+    here = os.getcwd()
+    job = jobs.read(path)
+    assert job.shape.contour.section().area == pytest.approx(1e-4)
+    assert os.getcwd() == here
+    written(tmp_path, SQUARE.replace("V10", "V20"), "square.svg")
+    assert jobs.read(path).digest != job.digest
+
+
+@needs_svg
+@pytest.mark.parametrize("svg", ["", "<svg/>", "<svg xmlns='http://www.w3.org/2000/svg'></svg>", "\x00"])
+def test_a_drawing_without_an_outline_is_refused(tmp_path, svg):
+    written(tmp_path, svg, "a.svg")
+    with pytest.raises(jobs.JobError, match=r"job\.toml:3: contour\.file"):
+        jobs.read(written(tmp_path, START + "contour = {file = 'a.svg'}"))
+
+
+def test_the_schema_accepts_references_and_the_picture():
+    jsonschema = pytest.importorskip("jsonschema")
+    validator = jsonschema.Draft202012Validator(jobs.schema())
+    table = {"version": 1, "kind": "generalized-cylinder", "render": {"width": 100}}
+    validator.validate(table | {"contour": {"file": "a.svg", "scale": 0.001}})
+    validator.validate(table | {"contour": {"text": "B", "font": "a.ttf"}, "trajectory": {"file": "a", "object": "b"}})
+    assert list(validator.iter_errors(table | {"contour": {"file": "a.svg", "size": 1}}))
+    assert list(validator.iter_errors(table | {"render": {"width": 1}}))
+
+
+@given(st.text(max_size=40))
+def test_any_name_of_a_file_is_refused_in_one_sentence(name):
+    with pytest.raises(ShapeError) as refusal:
+        resolve(parameters(GeneralizedCylinder), {"contour": {"file": f"{name}.nothing"}}, Path("nowhere"))
+    assert refusal.value.key == "contour.file" and "\n" not in str(refusal.value)

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A key of a TOML text is found on the line that sets it."""
+
+import tomllib
+
+import pytest
+
+from sweep_addon.batch.lines import line_of
+
+TEXT = '''version = 1  # kind = "no"
+kind = "tube"
+note = """
+[contour]
+radius = 9
+"""
+rows = [
+    [1.5],
+    ["[trap]", 2],  # ]
+]
+samples = {kind = "count", contours = 3}
+frame.kind = "frenet"
+
+[contour]  # the first
+kind = 'circle'
+radius = 2
+
+[ contour . "inner" ]
+radius = 3
+'''
+
+
+@pytest.mark.parametrize(
+    "key, line",
+    {
+        "version": 1,
+        "kind": 2,
+        "note": 3,
+        "rows": 7,
+        "samples": 11,
+        "samples.contours": 11,
+        "frame.kind": 12,
+        "frame.up": 1,  # no line sets the frame itself
+        "contour": 14,
+        "contour.kind": 15,
+        "contour.radius": 16,
+        "contour.missing": 14,
+        "contour.inner.radius": 19,
+        "missing": 1,
+        "": 1,
+    }.items(),
+)
+def test_the_line_that_sets_a_key(key, line):
+    tomllib.loads(TEXT)
+    assert line_of(TEXT, key) == line
