@@ -3,6 +3,8 @@
 """Steps of a set-up: commands that take a while, shown as one line with the seconds, and one at a time."""
 
 import fcntl
+import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,7 +15,7 @@ from . import SetupError
 
 
 def step(title, command, way_out="", timeout=1800, **options):
-    """Run a command, its output kept away; if it fails, its last lines are shown and the way out is said."""
+    """Run a command whose output is one line here; if it fails, its last lines are shown and the way out is said."""
     start = time.monotonic()
     with tempfile.TemporaryFile("w+", errors="replace") as log:
         try:
@@ -25,7 +27,7 @@ def step(title, command, way_out="", timeout=1800, **options):
                 seconds = time.monotonic() - start
                 if seconds > timeout:
                     raise SetupError(f"{title}: no end after {timeout} s. {way_out}".strip())
-                show(f"{title} ... {seconds:.0f} s", end="")
+                show(f"{title} ... {seconds:.0f} s  {last_line(log)}", end="")
                 time.sleep(0.2 if seconds > 1 else 0.02)
         finally:
             if process.poll() is None:
@@ -39,10 +41,18 @@ def step(title, command, way_out="", timeout=1800, **options):
     show(f"{title}: {time.monotonic() - start:.0f} s")
 
 
+def last_line(log):
+    """The newest line of a log that another process writes."""
+    start = max(0, os.fstat(log.fileno()).st_size - 400)
+    lines = os.pread(log.fileno(), 400, start).decode(errors="replace").replace("\r", "\n").split("\n")
+    return next((line.strip() for line in reversed(lines) if line.strip()), "")
+
+
 def show(line, end="\n"):
     """A line on stderr, where stdout may be somebody's result; on a terminal an unended line is written over."""
     if sys.stderr.isatty():
-        print(f"\r\033[K{line}", end=end, file=sys.stderr, flush=True)
+        width = shutil.get_terminal_size().columns - 1
+        print(f"\r\033[K{line if end else line[:width]}", end=end, file=sys.stderr, flush=True)
     elif end:
         print(line, file=sys.stderr, flush=True)
 
