@@ -105,3 +105,59 @@ def nurbs(spline, points, closed):
     if np.ptp(points[:, :3], axis=0).max() == 0:
         return None
     return Nurbs(points[:, :3], points[:, 3], order, knots, closed)
+
+
+def from_trajectory(trajectory, name):
+    """A Blender curve of a trajectory: a cubic through its stations, or a polyline's own corners."""
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions = "3D"
+    if isinstance(trajectory, Polyline):
+        spline = new_poly(curve, trajectory.points.values)
+    else:
+        spline = curve.splines.new("BEZIER")
+        chain = trajectory if isinstance(trajectory, Bezier) else through(trajectory)
+        set_bezier(spline, chain)
+    spline.use_cyclic_u = trajectory.closed
+    return curve
+
+
+def through(trajectory):
+    """A chain of cubics through stations of a trajectory, with its tangents: a step of 1/8 radian, fourth order."""
+    stations = place(trajectory, Tolerance(trajectory.length() / 1000))
+    onward, here = stations.onward, np.arange(len(stations.onward))
+    step = np.diff(np.append(stations.s, stations.total))[: len(onward), None] / 3
+    out = stations.points[here] + step * stations.leave[here]
+    back = stations.points[onward] - step * stations.arrive[onward]
+    chain = np.stack((stations.points[here], out, back), axis=1).reshape(-1, 3)
+    return Bezier(chain if stations.closed else np.concatenate((chain, stations.points[-1:])), stations.closed)
+
+
+def set_bezier(spline, chain):
+    """The knots and handles of a chain as a spline; an open chain's outer handles mirror the inner ones."""
+    points = chain.points.values
+    if chain.closed:
+        rows = np.concatenate((points[-1:], points[:-1])).reshape(-1, 3, 3)
+    else:
+        rows = np.concatenate((2 * points[:1] - points[1:2], points, 2 * points[-1:] - points[-2:-1])).reshape(-1, 3, 3)
+    spline.bezier_points.add(len(rows) - 1)
+    for i, name in enumerate(("handle_left", "co", "handle_right")):
+        spline.bezier_points.foreach_set(name, rows[:, i].ravel())
+
+
+def new_poly(curve, points):
+    spline = curve.splines.new("POLY")
+    spline.points.add(len(points) - 1)
+    columns = np.zeros((len(points), 4))
+    columns[:, : points.shape[1]], columns[:, 3] = points, 1.0
+    spline.points.foreach_set("co", columns.ravel())
+    return spline
+
+
+def from_contour(contour, name):
+    """A flat Blender curve of a contour, a cyclic polyline for each loop."""
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions = "2D"
+    section = contour.section()
+    for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True):
+        new_poly(curve, section.points[start:end]).use_cyclic_u = True
+    return curve

@@ -130,3 +130,48 @@ def shapes(mesh, depsgraph=None):
     count = max(map(len, paths.values()), default=1)
     others = (rna.read(group, shape, lambda ob, p, i=i: resolve(ob, p, i)) for i in range(1, count))
     return [first, *others]
+
+
+def is_editable_sweep(ob):
+    """Whether an object is a sweep whose parameters may be changed."""
+    return is_sweep(ob) and ob.data.is_editable
+
+
+def forget(mesh):
+    """Keep a mesh and forget what it was made from."""
+    mesh.sweep.kind = "NONE"
+    for name in ("made", "topology", "texture", "error", "told"):
+        mesh.sweep.property_unset(name)
+
+
+def link(context, data):
+    """A new object of some data in the collection a person works in, at the scene's origin."""
+    ob = bpy.data.objects.new(data.name, data)
+    context.collection.objects.link(ob)
+    return ob
+
+
+def place_along(context, mesh, trajectory):
+    """A new active object of a mesh, in the space of the trajectory that it follows."""
+    ob = link(context, mesh)
+    ob.parent = trajectory
+    for other in context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    context.view_layer.objects.active = ob
+    return ob
+
+
+def use(ob, parameter, curve):
+    """Let a curve object stand for a parameter of a sweep; a trajectory stands where the sweep stood."""
+    _, group = group_of(ob.data)
+    setattr(group, f"{parameter}_object", curve)
+    setattr(group, parameter, "OBJECT")
+    if parameter == "trajectory":
+        curve.parent, curve.matrix_local = ob.parent, ob.matrix_local.copy()
+        ob.parent = curve
+        ob.matrix_parent_inverse.identity()
+        ob.matrix_basis.identity()
+    else:
+        curve.matrix_world = ob.matrix_world.copy()
+        curve.location.x += 2 * max(ob.dimensions) or 1.0

@@ -127,7 +127,7 @@ def table(group, declared, prefix, resolve):
         name = prefix + p.name
         value = getattr(group, name)
         kinds = chosen_kinds(p)
-        if value in kinds:
+        if p.kinds and value in kinds:
             inner = table(group, inside(p, kinds[value]), f"{name}_{value.lower()}_", resolve)
             held[p.name] = {"kind": spelled(kinds[value]), **inner}
         elif value == "OBJECT" and p.accepts:

@@ -35,7 +35,7 @@ def hidden(maker, **keywords):
     return maker(options={"HIDDEN"}, **keywords)
 
 
-class SWEEP_PG_sweep(bpy.types.PropertyGroup):  # noqa: N801 - Blender's convention
+class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     """The shape that a mesh is made from, and how the last making went"""
 
     __annotations__ = {

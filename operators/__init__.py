@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user can do, one verb a file."""
+
+from bpy.utils import register_classes_factory
+
+from . import add_preset, add_shape, apply, copy_as, edit_as_curve, sweep_selected
+
+register, unregister = register_classes_factory(
+    (
+        *add_shape.OPERATORS,
+        add_preset.MESH_OT_sweep_preset_add,
+        sweep_selected.OBJECT_OT_sweep_selected,
+        apply.OBJECT_OT_sweep_apply,
+        copy_as.OBJECT_OT_sweep_copy,
+        edit_as_curve.OBJECT_OT_sweep_edit_as_curve,
+    )
+)

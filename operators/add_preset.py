@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Add a shape from a preset, which is a job file."""
+
+from bpy.props import BoolProperty, EnumProperty
+from bpy.types import Operator
+from bpy_extras.object_utils import AddObjectHelper, object_data_add
+
+from ..sweep_addon import presets
+from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.parameters import ShapeError
+from ..sweep_addon.core.trajectories import Line
+
+
+class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
+    """Add a shape that is set up already; a straight one follows the active curve"""
+
+    bl_idname = "mesh.sweep_preset_add"
+    bl_label = "Sweep Preset"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: EnumProperty(
+        name="Preset",
+        description="What to add",
+        items=[(preset.name.upper(), preset.title, preset.doc) for preset in presets.PRESETS],
+    )
+    follow: BoolProperty(
+        name="Follow the Active Curve",
+        description="Sweep a preset that is straight along the active curve, if that is selected",
+        default=True,
+    )
+
+    def execute(self, context):
+        curve = context.active_object
+        try:
+            shape = presets.shape(self.preset.lower())
+            follows = self.follow and isinstance(shape.trajectory, Line) and curve and curve.type == "CURVE"
+            given = {"trajectory": curve} if follows and curve.select_get() else {}
+            mesh = objects.new_mesh(shape, presets.title(self.preset.lower()), **given)
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if given:
+            objects.place_along(context, mesh, curve)
+        else:
+            object_data_add(context, mesh, operator=self)
+        return {"FINISHED"}

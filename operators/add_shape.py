@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Add a shape: one operator for each, all made from the shapes' declarations."""
+
+from bpy.types import Operator
+from bpy_extras.object_utils import AddObjectHelper, object_data_add
+
+from ..sweep_addon.bridge import layout, objects, rna
+from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
+from ..sweep_addon.core.shapes import SHAPES
+
+
+class AddShape(AddObjectHelper):
+    """What the operators have in common; each names its shape"""
+
+    bl_options = {"REGISTER", "UNDO", "PRESET"}
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        layout.draw(self.layout, self, parameters(self.shape))
+
+    def execute(self, context):
+        try:
+            mesh = objects.new_mesh(rna.read(self, self.shape))
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        object_data_add(context, mesh, operator=self)
+        return {"FINISHED"}
+
+
+def add_operator(shape):
+    """The operator that adds one shape."""
+    name = spelled(shape, "_")
+    members = {
+        "__doc__": rna.first_line(shape.__doc__),
+        "__annotations__": rna.annotations(parameters(shape)),
+        "bl_idname": f"mesh.{name}_add",
+        "bl_label": objects.title(shape),
+        "shape": shape,
+    }
+    return type(f"MESH_OT_{name}_add", (AddShape, Operator), members)
+
+
+OPERATORS = tuple(map(add_operator, SHAPES))

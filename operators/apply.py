@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Make a sweep an ordinary mesh."""
+
+from bpy.types import Operator
+
+from ..sweep_addon.bridge import objects
+
+
+class OBJECT_OT_sweep_apply(Operator):
+    """Keep the mesh as it is and forget the parameters, for all selected sweeps"""
+
+    bl_idname = "object.sweep_apply"
+    bl_label = "Apply"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if any(map(objects.is_editable_sweep, chosen(context))):
+            return True
+        cls.poll_message_set("Select a sweep whose mesh is not linked from another file")
+        return False
+
+    def execute(self, context):
+        for ob in filter(objects.is_editable_sweep, chosen(context)):
+            objects.forget(ob.data)
+        return {"FINISHED"}
+
+
+def chosen(context):
+    return {*context.selected_objects, *filter(None, [context.active_object])}

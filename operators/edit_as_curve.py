@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Turn a contour or trajectory that is numbers into a curve object that can be edited."""
+
+from bpy.props import EnumProperty
+from bpy.types import Operator
+
+from ..sweep_addon.bridge import curves, objects
+from ..sweep_addon.core.parameters import ShapeError
+
+
+class OBJECT_OT_sweep_edit_as_curve(Operator):
+    """Make a curve object of the contour or trajectory, which the sweep then follows"""
+
+    bl_idname = "object.sweep_edit_as_curve"
+    bl_label = "Edit as Curve"
+    bl_options = {"REGISTER", "UNDO"}
+
+    parameter: EnumProperty(
+        name="Parameter",
+        description="What becomes a curve",
+        items=[
+            ("trajectory", "Trajectory", "The path along which the contour moves"),
+            ("contour", "Contour", "The outline that moves"),
+        ],
+    )
+
+    @classmethod
+    def poll(cls, context):
+        if objects.is_editable_sweep(context.active_object):
+            return True
+        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
+        return False
+
+    def execute(self, context):
+        ob = context.active_object
+        try:
+            value = getattr(objects.from_object(ob), self.parameter)
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        make = curves.from_trajectory if self.parameter == "trajectory" else curves.from_contour
+        curve = objects.link(context, make(value, f"{ob.name} {self.parameter.title()}"))
+        objects.use(ob, self.parameter, curve)
+        return {"FINISHED"}

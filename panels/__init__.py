@@ -1,0 +1,20 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user can see."""
+
+import bpy
+from bpy.utils import register_classes_factory
+
+from . import add_menu, sidebar
+
+register_classes, unregister_classes = register_classes_factory((add_menu.VIEW3D_MT_sweep_add, sidebar.VIEW3D_PT_sweep))
+
+
+def register():
+    register_classes()
+    bpy.types.VIEW3D_MT_mesh_add.append(add_menu.draw_in_mesh_add)
+
+
+def unregister():
+    bpy.types.VIEW3D_MT_mesh_add.remove(add_menu.draw_in_mesh_add)
+    unregister_classes()

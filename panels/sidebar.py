@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tab Sweep of the sidebar: the active shape's parameters, or what can be added, or why nothing can be done."""
+
+from textwrap import wrap
+
+from bpy.types import Panel
+
+from ..sweep_addon.bridge import layout as declared_layout
+from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.parameters import parameters
+
+CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; most are narrower
+
+
+class VIEW3D_PT_sweep(Panel):
+    """The active sweep"""
+
+    bl_label = "Sweep"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Sweep"
+
+    def draw(self, context):
+        layout, ob = self.layout, context.active_object
+        row = layout.row(align=True)
+        row.menu("VIEW3D_MT_sweep_add", text="Add", icon="ADD")
+        row.operator("object.sweep_selected")
+        say = sentences(context)
+        if not objects.is_sweep(ob):
+            say(layout, hint(context), "INFO")
+        elif not ob.data.is_editable:
+            say(layout, "The mesh is linked from another file: make it local to change it.", "LINKED")
+        else:
+            draw_sweep(layout, context, ob.data, say)
+
+
+def hint(context):
+    """What a person can do when no sweep is active."""
+    if context.mode != "OBJECT":
+        return "Leave Edit Mode to add a sweep."
+    return "Add a shape, or select a curve and press Sweep Selected for a pipe along it."
+
+
+def draw_sweep(layout, context, mesh, say):
+    sweep = mesh.sweep
+    shape, group = objects.group_of(mesh)
+    if sweep.error:
+        say(layout, sweep.error, "ERROR", alert=True)
+    if mesh.is_editmode:
+        say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
+    elif sweep.edited:
+        say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
+    for sentence in filter(None, sweep.told.split("\n")):
+        say(layout, sentence, "INFO")
+    layout.label(text=f"{objects.title(shape)}: {sweep.rings:,} contours, {len(mesh.polygons):,} faces")
+    column = layout.column()
+    column.use_property_split = True
+    column.use_property_decorate = True
+    declared_layout.draw(column, group, parameters(shape))
+    row = layout.row(align=True)
+    row.operator("object.sweep_edit_as_curve", text="Edit Path").parameter = "trajectory"
+    row.operator("object.sweep_edit_as_curve", text="Edit Contour").parameter = "contour"
+    layout.operator("object.sweep_apply")
+    row = layout.row(align=True)
+    row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
+    row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+
+
+def sentences(context):
+    """A function that draws a sentence in as many lines as the sidebar's width asks for."""
+    pixels = context.region.width - 60 * context.preferences.system.ui_scale
+    width = max(int(pixels / (CHARACTER * context.preferences.system.ui_scale)), 12)
+
+    def say(layout, sentence, icon, alert=False):
+        column = layout.column(align=True)
+        column.alert = alert
+        for number, line in enumerate(wrap(sentence, width)):
+            column.label(text=line, icon="BLANK1" if number else icon)
+
+    return say
