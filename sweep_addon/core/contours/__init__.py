@@ -11,10 +11,12 @@ Examples
 """
 
 from .circle import Circle
+from .fonts import from_text
 from .outline import Outline
 from .rectangle import Rectangle
 from .section import Section
+from .svg import from_svg
 
 Contour = Circle | Rectangle | Outline
 
-__all__ = ["Circle", "Contour", "Outline", "Rectangle", "Section"]
+__all__ = ["Circle", "Contour", "Outline", "Rectangle", "Section", "from_svg", "from_text"]

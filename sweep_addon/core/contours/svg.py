@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contours from SVG drawings."""
+
+import io
+from xml.etree import ElementTree
+
+import numpy as np
+
+from ..parameters import ShapeError, require
+from .flatten import cubics_from_lines, cubics_from_quadratics
+from .reading import about, library, outline
+from .svg_document import content, tree
+
+ARC = np.pi / 6  # the part of an ellipse for one cubic, which misses it by 4e-7 of its radius
+
+
+def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
+    """Make an outline of everything that an SVG drawing fills.
+
+    Parameters
+    ----------
+    text_or_path : str or Path
+        The text of a drawing, or the path of a file of at most 4 MB.
+    scale : float
+        Metres for one unit of the drawing's coordinates.
+    tolerance : float
+        Largest distance of a curve from its chords in metres; 0 is a thousandth of the drawing's size.
+    centred : bool
+        Whether the centroid of the area becomes the reference point; otherwise the drawing's origin is.
+
+    Returns
+    -------
+    Outline
+        Straight loops, y upwards. Where they turn by more than 20 degrees they are sharp; chords of curves turn by at
+        most 15.
+
+    Raises
+    ------
+    ShapeError
+        For what is no SVG, a drawing that fills nothing, more than 200,000 points, and a document made to fill memory.
+
+    Paths, rectangles, circles, ellipses, polygons and what uses them are united, each filled by its own rule and with
+    its transforms. Strokes, texts, pictures, clipping and masks are left out. Overlaps are resolved to single
+    precision; areas that touch in a point are drawn apart there by a few millionths of the size.
+
+    Examples
+    --------
+    >>> contour = from_svg('<svg><path d="M0 0h4v4h-4z M1 1v2h2v-2z"/></svg>', scale=0.5)
+    >>> contour.section().area, contour.section().islands
+    (3.0, ((0, 1),))
+    """
+    require(0 < scale < np.inf, "must be more than 0", float(scale), "scale")
+    data, subject = content(text_or_path)
+    with about(subject):
+        figures = drawn_figures(tree(data))
+        paths = [scale * path * (1, -1) for figure in figures for path in figure[0]]
+        figure = np.repeat(np.arange(len(figures)), [len(paths) for paths, _ in figures])
+        require(paths, "must fill at least one path", "none")
+        return outline(paths, figure, [rule == "evenodd" for _, rule in figures], tolerance, centred)
+
+
+def drawn_figures(root):
+    """What a document fills, in its own units: for each shape its paths of (n, 4, 2) cubics, and its fill rule."""
+    svgelements = library("svgelements", "svgelements")
+    text = io.BytesIO(ElementTree.tostring(root))
+    try:
+        drawing = svgelements.SVG.parse(text, reify=False)
+        shapes = [shape for shape in drawing.elements() if is_filled(svgelements, shape)]
+        return [(paths_of(svgelements, shape), shape.values.get("fill-rule")) for shape in shapes]
+    except ShapeError:
+        raise
+    except Exception as error:  # the parser meets wrong numbers, units and colours in ways of its own
+        raise ShapeError(f"cannot be understood: {error}") from error
+
+
+def is_filled(svgelements, shape):
+    if not isinstance(shape, svgelements.Shape) or isinstance(shape, svgelements.SimpleLine):
+        return False
+    hidden = shape.values.get("visibility") in ("hidden", "collapse")
+    return not hidden and shape.values.get("fill") not in ("none", "transparent")
+
+
+def paths_of(svgelements, shape):
+    """The closed paths of a shape, (n, 4, 2) cubics each, with its transform."""
+    paths, cubics = [], []
+    for segment in [*shape.segments(transformed=False), svgelements.Move((0, 0))]:
+        if isinstance(segment, (svgelements.Move, svgelements.Close)):
+            if cubics:
+                closing = cubics_from_lines([(cubics[-1][-1][3], cubics[0][0][0])])
+                paths.append(np.concatenate([*cubics, closing]))
+            cubics = []
+        else:
+            cubics.append(cubics_of(svgelements, segment))
+    m = shape.transform
+    return [path @ np.array([(m.a, m.b), (m.c, m.d)]) + (m.e, m.f) for path in paths]
+
+
+def cubics_of(svgelements, segment):
+    """One segment as (n, 4, 2) cubics."""
+    if isinstance(segment, svgelements.Arc):
+        parts = segment.as_cubic_curves(max(1, int(np.ceil(abs(segment.sweep) / ARC))))
+        return np.array([numbers(part.start, part.control1, part.control2, part.end) for part in parts])
+    if isinstance(segment, svgelements.CubicBezier):
+        return np.array([numbers(segment.start, segment.control1, segment.control2, segment.end)])
+    if isinstance(segment, svgelements.QuadraticBezier):
+        return cubics_from_quadratics([numbers(segment.start, segment.control, segment.end)])
+    return cubics_from_lines([numbers(segment.start, segment.end)])
+
+
+def numbers(*points):
+    return [(point.x, point.y) for point in points]
