@@ -53,14 +53,18 @@ def draw_sweep(layout, context, mesh, say):
         say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
     for sentence in filter(None, sweep.told.split("\n")):
         say(layout, sentence, "INFO")
-    layout.label(text=f"{objects.title(shape)}: {sweep.rings:,} contours, {len(mesh.polygons):,} faces")
+    column = layout.column(align=True)
+    column.label(text=objects.title(shape), icon="MESH_CYLINDER")
+    column.label(text=f"{sweep.rings:,} contours, {len(mesh.polygons):,} faces", icon="BLANK1")
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = True
     declared_layout.draw(column, group, parameters(shape))
     row = layout.row(align=True)
-    row.operator("object.sweep_edit_as_curve", text="Edit Path").parameter = "trajectory"
-    row.operator("object.sweep_edit_as_curve", text="Edit Contour").parameter = "contour"
+    for parameter in ("trajectory", "contour"):
+        button = row.row(align=True)
+        button.enabled = getattr(group, parameter) != "OBJECT"  # it is a curve already
+        button.operator("object.sweep_edit_as_curve", text=f"Edit {parameter.title()}").parameter = parameter
     layout.operator("object.sweep_apply")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"

@@ -5,7 +5,7 @@
 from ..core.parameters import inside, spelled
 from .rna import chosen_kinds, label, listed
 
-SHORT = 12  # rows of a list that can still be read and typed as text
+TYPED = 400  # characters of a list that can still be read and typed as text
 
 
 def draw(layout, group, declared):
@@ -45,10 +45,14 @@ def draw_one(layout, group, p, name):
 
 
 def draw_list(layout, group, p, name):
-    """A short list is text to type in; of a long one, how long it is."""
-    values = listed(getattr(group, name))
-    if isinstance(values, list) and len(values) > SHORT or p.type is not None and len(getattr(group, name)) > 400:
-        row = layout.row()
-        row.label(text=f"{label(p)}: {len(values)}")
-    else:
-        layout.prop(group, name)
+    """A law's few points are text to type in; of any other list, how long it is."""
+    text = getattr(group, name)
+    if p.shorthand and len(text) <= TYPED:
+        layout.prop(group, name, text="")
+        return
+    size = len(listed(text))
+    if size:
+        row = layout.split(factor=0.4)
+        row.alignment = "RIGHT"
+        row.label(text=label(p))
+        row.label(text=f"{size:,}")

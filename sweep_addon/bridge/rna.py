@@ -15,7 +15,7 @@ import bpy
 import numpy as np
 
 from ..core.forms import plain
-from ..core.parameters import inside, parameters, require, spelled
+from ..core.parameters import ShapeError, inside, parameters, spelled
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
@@ -132,9 +132,8 @@ def table(group, declared, prefix, resolve):
             held[p.name] = {"kind": spelled(kinds[value]), **inner}
         elif value == "OBJECT" and p.accepts:
             chosen = getattr(group, f"{name}_object")
-            require(
-                chosen is not None, "must be an object of the scene", "none: it was deleted or not chosen yet", p.name
-            )
+            if chosen is None:
+                raise ShapeError("must be an object of the scene; none is chosen, or it was deleted", p.name)
             held[p.name] = resolve(chosen, p)
         else:
             held[p.name] = meant(p, value)
