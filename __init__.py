@@ -23,8 +23,9 @@ def unregister():
 
 
 def __getattr__(name):
-    # Only as an extension: test runners read the root under other names and ask it for names of their own.
-    if name.startswith("__") or not __package__.startswith("bl_ext."):
+    # Only as an extension: test runners read the root under other names and ask it for names of their own. Blender asks
+    # every extension for the bl_info of old add-ons.
+    if name.startswith("__") or name == "bl_info" or not __package__.startswith("bl_ext."):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(".sweep_addon", __package__), name)
 

@@ -20,12 +20,12 @@ BELOW = {
 
 
 def part(path):
-    """The part of the house a module belongs to, or None for the root and the library's front."""
+    """The part of the house that a name belongs to, or None for the root and the library's front."""
     return next((name for name in BELOW if path == name or path.startswith(name + "/")), None)
 
 
 def imported(source, file):
-    """The modules of this project that a source imports, as paths from the root, with their lines."""
+    """The names that a source imports, as paths from the root of this project, with their lines."""
     folder = file.parent.relative_to(CHECKOUT)
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Import):
@@ -33,15 +33,17 @@ def imported(source, file):
                 yield node.lineno, alias.name.replace(".", "/")
         if isinstance(node, ast.ImportFrom):
             above = [folder, *folder.parents][node.level - 1].as_posix() if node.level else "."
-            for name in [node.module] if node.module else [alias.name for alias in node.names]:
-                yield node.lineno, f"{above}/{name.replace('.', '/')}".removeprefix("./")
+            module = f"{above}/{(node.module or '').replace('.', '/')}".strip("/").removeprefix("./")
+            for alias in node.names:
+                yield node.lineno, f"{module}/{alias.name}".removeprefix("./")
 
 
 def upward(file):
     home = part(file.relative_to(CHECKOUT).as_posix())
     for line, path in imported(file.read_text(encoding="utf-8"), file):
         target = part(path)
-        if path == "sweep_addon" or target and target not in BELOW[home] | {home}:
+        front = not target and path.startswith("sweep_addon") and home.startswith("sweep_addon")
+        if front or target and target not in BELOW[home] | {home}:
             yield f"{file.relative_to(CHECKOUT)}:{line} imports {path}"
 
 
@@ -57,11 +59,12 @@ def test_nothing_imports_upwards(folder):
 @pytest.mark.parametrize(
     ("line", "path"),
     [
-        ("from ..bridge import meshes", "sweep_addon/bridge"),
+        ("from ..bridge import meshes", "sweep_addon/bridge/meshes"),
         ("from .. import batch", "sweep_addon/batch"),
-        ("from ...operators.add import Add", "operators/add"),
+        ("from ...operators.add import Add", "operators/add/Add"),
+        ("from ... import sweep_addon", "sweep_addon"),
         ("import sweep_addon.properties", "sweep_addon/properties"),
-        ("from .frames import Frenet", "sweep_addon/core/frames"),
+        ("from .frames import Frenet", "sweep_addon/core/frames/Frenet"),
     ],
 )
 def test_the_reader_sees_where_an_import_points(line, path):

@@ -33,7 +33,9 @@ def members(module):
 
 
 def draw_functions(kind):
-    return getattr(getattr(kind, "draw", None), "_draw_funcs", ())
+    """What the extension has appended to a menu, panel or header."""
+    appended = getattr(getattr(kind, "draw", None), "_draw_funcs", ())
+    return [function for function in appended if function.__module__.startswith(NAME)]
 
 
 before = traces()

@@ -31,7 +31,7 @@ def names():
 @pytest.fixture(scope="module")
 def installed():
     answer = blender("--command", "extension", "install-file", "--repo", "user_default", "--enable", ZIP)
-    assert answer.returncode == 0, answer.stdout
+    assert answer.returncode == 0, answer.stdout[-2000:]
     return answer
 
 
