@@ -7,10 +7,12 @@ import numpy as np
 
 from ..core.contours import Outline
 from ..core.parameters import require
-from ..core.sampling import Tolerance, place
+from ..core.sampling import Tolerance, bend, place
 from ..core.trajectories import Bezier, Nurbs, Polyline
+from ..core.trajectories.arc_length import arc_length
 
 COINCIDENT = 1e-6  # of the size: single precision keeps no less
+GENTLE = np.radians(15)  # of a chord of an outline, in which a corner of more than 20 degrees is an edge
 
 
 def trajectories(ob, depsgraph=None):
@@ -23,9 +25,12 @@ def trajectories(ob, depsgraph=None):
     depsgraph : bpy.types.Depsgraph, optional
         Where animated values are read; without it, the object as it stands.
     """
-    curve = (ob.evaluated_get(depsgraph) if depsgraph else ob).data
-    found = [spline_trajectory(spline, spline.use_cyclic_u) for spline in curve.splines]
-    found = [trajectory for trajectory in found if trajectory]
+
+    def read(splines):
+        made = [spline_trajectory(spline, spline.use_cyclic_u) for spline in splines]
+        return [trajectory for trajectory in made if trajectory]
+
+    found = as_shown(ob, depsgraph, read)
     require(found, "must be a curve with a length", ob.name)
     return found
 
@@ -35,15 +40,21 @@ def outline(ob, depsgraph=None):
 
     A spline that is not cyclic is closed by a straight line.
     """
-    if ob.type == "FONT":
-        depsgraph = depsgraph or bpy.context.evaluated_depsgraph_get()
-        evaluated = ob.evaluated_get(depsgraph)
-        loops = spline_loops(evaluated.to_curve(depsgraph).splines)
-        evaluated.to_curve_clear()
-    else:
-        loops = spline_loops((ob.evaluated_get(depsgraph) if depsgraph else ob).data.splines)
+    loops = as_shown(ob, depsgraph, spline_loops)
     require(loops, "must be a curve or text with an outline", ob.name)
     return Outline([loop * ob.scale[:2] for loop in loops])
+
+
+def as_shown(ob, depsgraph, read):
+    """What is read from the splines of an object, which hooks and shape keys may have moved; of a text, its letters."""
+    if ob.type == "CURVE" and not (ob.modifiers or ob.data.shape_keys):
+        return read((ob.evaluated_get(depsgraph) if depsgraph else ob).data.splines)
+    depsgraph = depsgraph or bpy.context.evaluated_depsgraph_get()
+    evaluated = ob.evaluated_get(depsgraph)
+    try:
+        return read(evaluated.to_curve(depsgraph, apply_modifiers=ob.type == "CURVE").splines)
+    finally:
+        evaluated.to_curve_clear()
 
 
 def spline_loops(splines):
@@ -53,7 +64,18 @@ def spline_loops(splines):
     if not made:
         return []
     size = np.ptp(np.concatenate([trajectory.points.values for trajectory in made]), axis=0).max()
-    return [place(trajectory, Tolerance(max(size / 1000, 1e-9))).points[:, :2] for trajectory in made]
+    tolerance = Tolerance(max(size / 1000, 1e-9))
+    return [flattened(trajectory, tolerance) for trajectory in made]
+
+
+def flattened(trajectory, tolerance):
+    """Points (n, 2) that keep the joints of a spline, and turn so little between them that no curve gets an edge."""
+    measure = arc_length(trajectory)
+
+    def turning(s, chord):
+        return np.linalg.norm(bend(trajectory, measure.parameter(s)), axis=1) / GENTLE
+
+    return place(trajectory, tolerance, measure.at(trajectory.joints()), turning).points[:, :2]
 
 
 def spline_trajectory(spline, closed):
@@ -61,7 +83,7 @@ def spline_trajectory(spline, closed):
     if spline.type == "BEZIER":
         return bezier(spline, closed)
     points = coordinates(spline.points, "co", 4)
-    if spline.type == "NURBS" and len(points) >= spline.order_u:
+    if spline.type == "NURBS" and is_nurbs(spline, closed):
         return nurbs(spline, points, closed)
     return polyline(points[:, :3], closed)
 
@@ -96,15 +118,38 @@ def bezier(spline, closed):
     return Bezier(chain if closed else np.concatenate((chain, segments[-1:, 3])), closed)
 
 
+def is_nurbs(spline, closed):
+    """Whether Blender sees more in a NURBS spline than straight lines between its points."""
+    size, order = len(spline.points), spline.order_u
+    if spline.use_bezier_u:
+        return size % (order - 1) == 0 if closed else size >= order + (not spline.use_endpoint_u)
+    return size >= order
+
+
 def nurbs(spline, points, closed):
     """A NURBS spline with the knots that Blender gives it."""
-    size, order = len(points), spline.order_u
-    knots = ()
-    if not closed and not spline.use_endpoint_u:
-        knots = np.arange(size + order)
     if np.ptp(points[:, :3], axis=0).max() == 0:
         return None
-    return Nurbs(points[:, :3], points[:, 3], order, knots, closed)
+    endpoint, bezier = spline.use_endpoint_u, spline.use_bezier_u
+    usual = endpoint != closed and not bezier  # those that `Nurbs` has without being told
+    knots = () if usual else spaced(len(points), spline.order_u, closed, endpoint, bezier)
+    return Nurbs(points[:, :3], points[:, 3], spline.order_u, knots, closed)
+
+
+def spaced(size, order, closed, endpoint, bezier):
+    """The knots of a spline: whole numbers, repeated at its ends, or at each joint as in a chain of Bezier curves.
+
+    Source: Blender's ``bke::curves::nurbs::calculate_knots``.
+    """
+    inner = order - 1 if bezier else 1
+    head = order - closed if endpoint else min(2, inner)
+    apart = int(endpoint and closed)  # one knot before those that are repeated
+    count = size + (0 if closed or endpoint else order)
+    place = np.arange(count - apart + 1)
+    repeated = np.where(place < head, 0, 1 + (place - head) // inner) + apart
+    first, period = np.concatenate((np.zeros(apart), repeated[:-1])), repeated[-1]
+    turn, index = np.divmod(np.arange(size + order + (order - 1 if closed else 0)), count)
+    return first[index] + turn * period
 
 
 def from_trajectory(trajectory, name):

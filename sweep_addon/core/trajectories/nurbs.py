@@ -34,7 +34,7 @@ class Nurbs(Trajectory):
     points: Array = parameter(DEFAULT, "Control points", columns=3, unit="length")
     weights: Array = parameter((), "Weight of each control point; none: all 1")
     order: int = count(4, "Degree plus one", minimum=2, maximum=12)
-    knots: Array = parameter((), "Knots, as many as points and order together; none: evenly spaced")
+    knots: Array = parameter((), "Knots, as many as points and order, and order - 1 more if closed; none: even")
     closed: bool = parameter(False, "The end is the start again")
 
     def check(self):
@@ -46,11 +46,14 @@ class Nurbs(Trajectory):
         moving = np.ptp(self.points.values, axis=0).max() > 0
         require(moving, "must not all be in one place", self.points.values.tolist(), "points")
         if len(knots):
-            require(not self.closed, "must be left out for a closed curve, whose knots are even", len(knots), "knots")
-            require(len(knots) == size + self.order, f"must be {size + self.order} numbers", len(knots), "knots")
+            wanted = len(self.control) + self.order
+            require(len(knots) == wanted, f"must be {wanted} numbers", len(knots), "knots")
             require((np.diff(knots) >= 0).all(), "must not fall", knots.tolist(), "knots")
-            spread = knots[size] > knots[self.order - 1]
+            spread = knots[-self.order] > knots[self.order - 1]
             require(spread, "must rise between the first and the last span", knots.tolist(), "knots")
+            apart = np.ptp(knots[size:] - knots[:-size]) if self.closed else 0.0
+            again = f"must be spaced again as they were after {size} of them, for the curve is closed"
+            require(apart <= 1e-9 * np.ptp(knots), again, knots.tolist(), "knots")
 
     @property
     def control(self):

@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves and texts of the scene as trajectories and outlines: what Blender itself shows of them is the truth."""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from scenes import add, curve, places, text
+
+from sweep_addon import trajectories
+from sweep_addon.bridge import curves
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.trajectories.arc_length import arc_length
+
+SINGLE = 2e-6  # a few units of the last place of single precision, in curves of the size of 1 to 4
+
+
+def shown(ob):
+    """The points that Blender makes of a curve object, hooks and shape keys included."""
+    bpy.context.view_layer.update()
+    evaluated = ob.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    points = places(evaluated.to_mesh())
+    evaluated.to_mesh_clear()
+    return points
+
+
+def at_equal_parameters(trajectory, count):
+    """Points of a trajectory at as many parameters, evenly spaced, as Blender evaluates a spline."""
+    return trajectory.evaluate(np.linspace(*trajectory.domain, count, endpoint=not trajectory.closed))
+
+
+def at_equal_lengths(trajectory):
+    """A hundred points of a trajectory, evenly spaced by arc length."""
+    measure = arc_length(trajectory)
+    return trajectory.evaluate(measure.parameter(np.linspace(0, measure.total, 100)))
+
+
+@pytest.mark.parametrize("endpoint", [False, True])
+@pytest.mark.parametrize("bezier", [False, True])
+@pytest.mark.parametrize("cyclic", [False, True])
+@pytest.mark.parametrize(("count", "order"), [(4, 4), (4, 6), (6, 4), (8, 4), (9, 4), (7, 3), (5, 5), (8, 5), (6, 2)])
+def test_nurbs_is_the_curve_that_blender_evaluates(scene, count, order, cyclic, bezier, endpoint):
+    random = np.random.default_rng(count * order)
+    points = np.column_stack((random.normal(size=(count, 3)), random.uniform(1, 2, count)))
+    ob = curve("NURBS", points, use_cyclic_u=cyclic, use_endpoint_u=endpoint, use_bezier_u=bezier, order_u=order)
+
+    (trajectory,) = curves.trajectories(ob)
+
+    theirs = shown(ob)
+    assert trajectory.closed == cyclic
+    assert at_equal_parameters(trajectory, len(theirs)) == pytest.approx(theirs, abs=SINGLE)
+
+
+@pytest.mark.parametrize("cyclic", [False, True])
+def test_bezier_is_the_curve_that_blender_evaluates(scene, cyclic):
+    random = np.random.default_rng(7)
+    ob = curve("BEZIER", random.normal(size=(5, 9)), use_cyclic_u=cyclic)
+
+    (trajectory,) = curves.trajectories(ob)
+
+    theirs = shown(ob)
+    assert trajectory.closed == cyclic
+    assert at_equal_parameters(trajectory, len(theirs)) == pytest.approx(theirs, abs=SINGLE)
+
+
+@pytest.mark.parametrize("cyclic", [False, True])
+def test_poly_is_the_curve_that_blender_evaluates(scene, cyclic):
+    ob = curve("POLY", np.random.default_rng(7).normal(size=(5, 3)), use_cyclic_u=cyclic)
+
+    (trajectory,) = curves.trajectories(ob)
+
+    theirs = shown(ob)
+    assert trajectory.closed == cyclic
+    assert at_equal_parameters(trajectory, len(theirs)) == pytest.approx(theirs, abs=SINGLE)
+
+
+@pytest.mark.parametrize("kind", ["POLY", "NURBS"])
+def test_hooks_and_shape_keys_move_the_trajectory_as_they_move_the_curve(scene, kind):
+    ob = curve(kind, [(0, 0, 0), (1, 0, 0), (2, 1, 0), (3, 1, 1), (4, 0, 1)])
+    ob.shape_key_add(name="Basis")
+    key = ob.shape_key_add(name="Bent")
+    key.data[3].co, key.value = (3, 5, 1), 0.5
+    handle = add("handle", None)
+    hook = ob.modifiers.new("Hook", "HOOK")
+    hook.object = handle
+    hook.vertex_indices_set([2])
+    bpy.context.view_layer.update()
+    handle.location.z = 3
+
+    theirs = shown(ob)
+    for depsgraph in (None, bpy.context.evaluated_depsgraph_get()):
+        (trajectory,) = curves.trajectories(ob, depsgraph)
+        assert at_equal_parameters(trajectory, len(theirs)) == pytest.approx(theirs, abs=SINGLE)
+    assert np.ptp(theirs[:, 2]) > 1.01 and np.ptp(theirs[:, 1]) > 1.01  # both of them show
+
+
+def test_doubled_points_of_an_edited_polyline_are_one(scene):
+    ob = curve("POLY", [(0, 0, 0), (0, 0, 1), (0, 0, 1), (0, 1, 1), (0, 0, 0)], use_cyclic_u=True)
+    (trajectory,) = curves.trajectories(ob)
+    assert trajectory.points.values.tolist() == [[0, 0, 0], [0, 0, 1], [0, 1, 1]]
+
+
+@pytest.mark.parametrize("kind", ["POLY", "NURBS", "BEZIER"])
+def test_curve_without_length_is_refused_by_name(scene, kind):
+    ob = curve(kind, np.ones((4, 9 if kind == "BEZIER" else 3)), name="Speck")
+    with pytest.raises(ShapeError, match="must be a curve with a length, got 'Speck'"):
+        curves.trajectories(ob)
+
+
+def test_curve_without_splines_is_refused(scene):
+    with pytest.raises(ShapeError, match="must be a curve with a length"):
+        curves.trajectories(add("Empty", bpy.data.curves.new("Empty", "CURVE")))
+
+
+def test_outline_of_a_bezier_circle_has_its_area(scene):
+    """Blender's own circle: four cubics, the radius right to 3e-4."""
+    bpy.ops.curve.primitive_bezier_circle_add(radius=2)
+    area = curves.outline(bpy.context.active_object).section().area
+    assert area == pytest.approx(4 * np.pi, rel=5e-3)
+
+
+def test_outline_is_scaled_as_its_object_is(scene):
+    ob = curve("POLY", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], use_cyclic_u=True)
+    ob.scale = (2, -3, 5)  # mirrored too
+    section = curves.outline(ob).section()
+    assert section.area == pytest.approx(6)
+    assert np.ptp(section.points, axis=0).tolist() == [2, 3]
+
+
+def test_outline_that_is_not_cyclic_is_closed_by_a_straight_line(scene):
+    half_circle = curve("NURBS", [(1, 0, 0), (1, 1, 0), (-1, 1, 0), (-1, 0, 0)], use_endpoint_u=True, order_u=4)
+    section = curves.outline(half_circle).section()
+    # the area under a cubic with these control points: the integral of y dx of its Bernstein form
+    assert section.area == pytest.approx(1.2, rel=5e-3)
+    assert section.sharp.sum() == 2
+
+
+def test_small_rounding_of_a_large_outline_is_no_corner(scene):
+    """A curve within an outline is drawn smooth: no chord of it turns by the 20 degrees of an edge."""
+    r, k = 0.02, 0.02 * 0.5523
+    right = [(1 - r, 0, 0), (1 - r, 0, 0), (1 - r + k, 0, 0)], [(1, r - k, 0), (1, r, 0), (1, r, 0)]
+    left = [(1, 1, 0)] * 3, [(0, 1, 0)] * 3, [(0, 0, 0)] * 3
+    ob = curve("BEZIER", np.reshape([*right, *left], (-1, 9)), use_cyclic_u=True)
+    section = curves.outline(ob).section()
+    assert section.sharp.sum() == 3  # the three corners, and none of the rounding's
+    assert section.area == pytest.approx(1 - (1 - np.pi / 4) * r**2, abs=1e-4)
+
+
+def test_outline_of_a_text_is_what_blender_fills(scene):
+    ob = text("B%@")
+    evaluated = ob.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    filled = evaluated.to_mesh()
+    area = sum(polygon.area for polygon in filled.polygons)
+    evaluated.to_mesh_clear()
+
+    assert curves.outline(ob).section().area == pytest.approx(area, rel=5e-3)
+
+
+def test_curve_of_a_trajectory_is_that_trajectory(scene):
+    """There and back: Blender's points stay within a thousandth of the length of where the trajectory is."""
+    corner = trajectories.Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
+    for made in (corner, trajectories.Line(), trajectories.Helix(), trajectories.TorusKnot(), trajectories.Bezier()):
+        ob = add("back", curves.from_trajectory(made, "back"))
+        (again,) = curves.trajectories(ob)
+        assert again.closed == made.closed
+        assert again.length() == pytest.approx(made.length(), rel=1e-4)
+        ours, theirs = (at_equal_lengths(path) for path in (made, again))
+        assert ours == pytest.approx(theirs, abs=1e-3 * made.length())
