@@ -7,14 +7,15 @@ from functools import cached_property
 
 import numpy as np
 
-from .parameters import count, declared, length, require
+from .parameters import ShapeError, count, declared, length, require
 from .trajectories.arc_length import arc_length
-from .trajectories.curve import unit
+from .trajectories.curve import SAME_DIRECTION, SHARPEST, unit
 
 MOST_STATIONS = 200_000
 WIDEST_TURN = np.radians(30)  # a bend or a twist in one step; more looks broken at any tolerance
 FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
+ROUNDING = 1e-13  # of the length: differences over less are noise
 
 
 @declared
@@ -47,7 +48,7 @@ class Stations:
     arrive, leave : (n, 3) float array
         Unit tangents before and after each place; they differ at corners.
     bend : (n, 3) float array
-        The curvature vector in 1/m, towards the centre of curvature; at a corner, across the bisector.
+        The curvature vector in 1/m, towards the centre of curvature, a corner's turn spread over its step.
     total : float
         The length of the whole trajectory in metres.
     closed : bool
@@ -106,14 +107,24 @@ def place(trajectory, sampling, marks=(), extra=None):
     """
     measure = arc_length(trajectory)
     ends = measure.at(np.concatenate((trajectory.corners(), trajectory.domain)))
-    ends = np.unique(np.concatenate((ends, marks)).clip(0.0, measure.total))
-    ends = ends[np.concatenate(([True], np.diff(ends) > SHORTEST_STEP * measure.total))]
+    ends = distinct(np.concatenate((ends, marks)).clip(0.0, measure.total), SHORTEST_STEP * measure.total)
     ends[-1] = measure.total
     if isinstance(sampling, Count):
-        s = spread_evenly(ends, sampling.contours - (not trajectory.closed))
+        s = spread_evenly(ends, max(sampling.contours - (not trajectory.closed), fewest(trajectory)))
     else:
         s = spread(trajectory, ends, sampling.chord, extra)
     return stations(trajectory, s[:-1] if trajectory.closed else s)
+
+
+def fewest(trajectory):
+    """Steps that a tube cannot do without: a closed one of two would lie on itself."""
+    return 3 if trajectory.closed else 1
+
+
+def distinct(values, least):
+    """Values in rising order, those dropped that are within a distance of the one before."""
+    values = np.unique(values)
+    return values[np.concatenate(([True], np.diff(values) > least))]
 
 
 def spread_evenly(ends, steps):
@@ -129,9 +140,9 @@ def spread(trajectory, ends, chord, extra):
     A chord of length h over curvature k is k h^2 / 8 away from the curve; equal distances need steps as 1 / sqrt(k).
     """
     measure = arc_length(trajectory)
-    grid = np.unique(np.concatenate((measure.lengths, ends)))
-    if extra is not None:
-        grid = np.unique(np.concatenate((grid, np.linspace(0.0, measure.total, 2049))))
+    even = np.linspace(0.0, measure.total, 1 if extra is None else 2049)
+    grid = distinct(np.concatenate((measure.lengths, ends, even)), ROUNDING * measure.total)
+    grid[-1] = measure.total
     middle, width = (grid[1:] + grid[:-1]) / 2, np.diff(grid)
     curvature = np.linalg.norm(bend(trajectory, measure.parameter(middle)), axis=1)
     density = np.maximum(np.sqrt(curvature / (8 * chord)), curvature / WIDEST_TURN)
@@ -143,17 +154,18 @@ def spread(trajectory, ends, chord, extra):
     at_ends = np.interp(ends, grid, reached)
     # the floor is not counted, only used to place: straight pieces need one step
     wanted = np.diff(at_ends - FLOOR * mean * ends)
-    steps = np.maximum(1, np.ceil(wanted - 1e-9)).astype(np.int64)
-    most = f"must be larger for this trajectory, which needs {steps.sum():,} contours of {MOST_STATIONS:,} at most"
+    steps = np.maximum(-(-fewest(trajectory) // len(wanted)), np.ceil(wanted - 1e-9))
+    most = f"must be larger, or the sweep turn less: it needs {steps.sum():,.0f} contours of {MOST_STATIONS:,} at most"
     require(steps.sum() <= MOST_STATIONS, most, chord, "samples.chord")
+    steps = steps.astype(np.int64)
 
     def arc_lengths(piece, fraction):
         return np.interp(at_ends[piece] + fraction * np.diff(at_ends)[piece], reached, grid)
 
-    def even(piece, fraction):
+    def evenly(piece, fraction):
         return ends[piece] + fraction * np.diff(ends)[piece]
 
-    return pieces(ends, steps, arc_lengths if mean > 0 else even)
+    return pieces(ends, steps, arc_lengths if mean > 0 else evenly)
 
 
 def pieces(ends, steps, arc_lengths):
@@ -181,15 +193,18 @@ def stations(trajectory, s):
     u = measure.parameter(s)
     u = snapped(u, trajectory.joints())
     leave = trajectory.tangents(u)
-    arrive = trajectory.tangents(u, before=True)
-    if trajectory.closed:
-        arrive[:1] = trajectory.tangents(np.array(trajectory.domain[1:]), before=True)
-    else:
+    entered = measure.entered(np.append(u[1:], trajectory.domain[1]) if trajectory.closed else u)
+    arrive = np.roll(trajectory.tangents(entered, before=True), trajectory.closed, axis=0)
+    if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
     bends = bend(trajectory, u)
     turn = leave - arrive
-    corner = np.linalg.norm(turn, axis=1) > 1e-6
-    bends[corner] = turn[corner]
+    corner = np.linalg.norm(turn, axis=1) > SAME_DIRECTION
+    back = np.einsum("ij,ij->i", arrive, leave) < SHARPEST
+    if back.any():
+        raise ShapeError(f"must not turn back on itself, got a reversal at u = {u[np.argmax(back)]:.6g}", "trajectory")
+    # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature
+    bends[corner] += turn[corner] / np.gradient(s)[corner, None]
     arrive[~corner] = leave[~corner]
     return Stations(u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total, trajectory.closed)
 

@@ -7,6 +7,7 @@ import numpy as np
 from .arc_length import arc_length
 
 SAME_DIRECTION = 1e-6  # radians: tangents closer than this meet smoothly, a corner of a micrometre in a metre
+SHARPEST = np.cos(np.radians(179.99))  # a sharper turn is a reversal: its mitre would be 10,000 contours long
 
 
 class Trajectory:

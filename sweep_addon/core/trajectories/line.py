@@ -16,7 +16,7 @@ class Line(Trajectory):
 
     Examples
     --------
-    >>> Line(start=(0, 0, 0), end=(0, 3, 4)).length()
+    >>> round(Line(start=(0, 0, 0), end=(0, 3, 4)).length(), 12)
     5.0
     """
 
