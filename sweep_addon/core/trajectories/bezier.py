@@ -4,9 +4,10 @@
 
 import numpy as np
 
-from ..parameters import Array, declared, parameter, require
+from ..parameters import Array, ShapeError, declared, parameter, require
 from .curve import Trajectory
 
+NEAR_ZERO = 1e-9
 DEFAULT = ((0, 0, 0), (0, 0, 0.5), (0, 0.5, 1), (0, 1, 1))
 
 
@@ -33,9 +34,28 @@ class Bezier(Trajectory):
         require(fits, f"must be {form}: knot, handle, handle, ...", len(self.points), "points")
         moves = np.abs(np.diff(self.segments, axis=1)).max(axis=(1, 2))
         still = moves <= 1e-9 * max(np.ptp(self.points.values, axis=0).max(), 1e-300)
-        require(
-            not still.any(), "must have no segment without length", f"segment {int(np.argmax(still)) + 1}", "points"
-        )
+        if still.any():
+            raise ShapeError(f"must have no segment without length, got segment {np.argmax(still) + 1}", "points")
+        cusps = self.cusps()
+        if len(cusps):
+            raise ShapeError(f"must not turn back on itself, got a cusp at u = {cusps[0]:.6g}", "points")
+
+    def cusps(self):
+        """Parameters inside the segments where the derivative passes zero, so that the curve turns back: (c,).
+
+        There the coordinates of the derivative, quadratic polynomials, have a simple root in common.
+        """
+        a, b, c = np.diff(self.segments, axis=1).swapaxes(0, 1)
+        square, half = a - 2 * b + c, b - a
+        size = np.abs(self.segments - self.segments[:, :1]).max(axis=(1, 2))[:, None]
+        with np.errstate(all="ignore"):
+            discriminant = half**2 - square * a
+            larger = -half - np.copysign(np.sqrt(discriminant), half)
+            roots = np.stack((larger / square, a / larger))
+        inside = (discriminant > NEAR_ZERO * size**2) & (roots > NEAR_ZERO) & (roots < 1 - NEAR_ZERO)
+        index = np.nonzero(inside)[1]
+        u = index + roots[inside]
+        return np.sort(u[np.linalg.norm(self.derivative(u), axis=1) <= NEAR_ZERO * size[index, 0]])
 
     @property
     def segments(self):
