@@ -6,7 +6,7 @@ from math import pi, tau
 
 import numpy as np
 
-from ..parameters import declared, length, parameter
+from ..parameters import declared, length, parameter, require
 from .curve import Trajectory
 
 
@@ -27,6 +27,10 @@ class Helix(Trajectory):
     radius: float = length(1.0, "Distance from the axis")
     pitch: float = parameter(0.5, "Rise in one turn", unit="length")
     turns: float = parameter(5.0, "Number of turns", above=0.0, maximum=10_000.0, soft_maximum=50.0)
+
+    def check(self):
+        rises = self.pitch != 0 or self.turns < 1
+        require(rises, "must not be 0 for a whole turn or more, which would lie on itself", self.pitch, "pitch")
 
     @property
     def domain(self):
