@@ -13,12 +13,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, fields, replace
 from enum import Enum, EnumMeta
 from functools import cache, partial
-from math import inf, isfinite
+from math import inf
 from numbers import Real
 from types import UnionType
 from typing import dataclass_transform, get_args, get_origin, get_type_hints
 
 import numpy as np
+
+LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
 
 class ShapeError(ValueError):
@@ -49,6 +51,8 @@ def at(key):
 def require(holds, sentence, value, key=""):
     """Refuse a value unless the sentence about it holds."""
     if not holds:
+        if isinstance(value, (list, tuple)):
+            value = value[:60]  # no more is shown
         got = f"{value:.9g}" if isinstance(value, float) else repr(value)
         raise ShapeError(f"{sentence}, got {got if len(got) <= 60 else got[:57] + '...'}", key)
 
@@ -57,7 +61,10 @@ class Array:
     """Read-only numbers that compare and hash by their contents."""
 
     def __init__(self, values):
-        self.values = np.array(values, dtype=np.float64) + 0.0  # turns -0.0 to 0.0: equal numbers, equal bytes
+        values = np.asarray(values)
+        if values.dtype.kind not in "iuf":  # NumPy would also read numbers from text
+            raise TypeError(f"must be numbers, not {values.dtype}")
+        self.values = values.astype(np.float64) + 0.0  # turns -0.0 to 0.0: equal numbers, equal bytes
         self.values.flags.writeable = False
 
     def __eq__(self, other):
@@ -175,13 +182,14 @@ def coerce(p, value):
 
 
 def coerce_number(p, value):
-    number = isinstance(value, Real) and not isinstance(value, (bool, np.bool_)) and isfinite(value)
+    number = isinstance(value, Real) and not isinstance(value, (bool, np.bool_)) and abs(value) < inf
     require(number, "must be a number", value)
+    require(abs(value) <= LARGEST, f"must be at most {LARGEST:g} in size", value)
     require(p.type is float or value % 1 == 0, "must be a whole number", value)
     require(value > p.above, f"must be more than {p.above:g}", value)
     require(value >= p.minimum, f"must be at least {p.minimum:g}", value)
     require(value <= p.maximum, f"must be at most {p.maximum:g}", value)
-    return p.type(value)
+    return p.type(value) + 0  # turns -0.0 to 0.0
 
 
 def coerce_array(p, value):
@@ -191,8 +199,11 @@ def coerce_array(p, value):
         array = None
     row = (p.columns,) if p.columns else ()
     fits = array is not None and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
-    finite = fits and np.isfinite(array.values).all()
-    require(finite, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
+    require(fits, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
+    wrong = ~(np.abs(array.values) <= LARGEST)
+    if wrong.any():
+        got = f"{array.values[wrong][0]:g} in row {np.argwhere(wrong)[0, 0] + 1}"
+        raise ShapeError(f"must have finite numbers up to {LARGEST:g} in size, got {got}")
     return array
 
 

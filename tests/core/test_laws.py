@@ -62,7 +62,8 @@ def test_a_law_knows_whether_it_is_constant(law, constant):
         ("1 - q", "must be an expression of u, t, s: 'q' at character 5 is no name (u, t, s, pi, tau, e are)"),
         ("9**9**9**9", "must be finite everywhere, got inf"),
         ([(0, 1), (0, 2)], "must have t rising from point to point, got [0.0, 0.0]"),
-        ([(0, 1), (1, float("nan"))], "must be a list of 2 numbers each, got [(0, 1), (1, nan)]"),
+        ([(0, 1), (1, float("nan"))], "must have finite numbers up to 1e+12 in size, got nan in row 2"),
+        ([(0, 1), (1, -1e308)], "must have finite numbers up to 1e+12 in size, got -1e+308 in row 2"),
         ([], "must be a list of 2 numbers each, got []"),
         ([0, 1], "must be a list of 2 numbers each, got [0, 1]"),
         (float("inf"), "must be a number, got inf"),
@@ -80,8 +81,6 @@ def test_a_value_that_is_not_finite_is_refused_with_its_place():
     with pytest.raises(ShapeError) as refusal:
         evaluated(Formula("1/(1 - 2*t)"))
     assert str(refusal.value) == "must be finite everywhere, got inf at u = 1, t = 0.5, s = 1.5"
-    with pytest.raises(ShapeError, match="must be finite everywhere, got .* at u = 0.*, t = 0.*, s = 0"):
-        evaluated(Points([(0, -1e308), (1, 1e308)]))
 
 
 def test_points_have_the_slopes_of_pchip():
