@@ -66,7 +66,7 @@ class Frenet:
 
 @declared
 class FixedUp:
-    """As level as the tangent allows: the contour's y axis points up"""
+    """As level as the tangent allows: the contour's y axis points up, until the trajectory goes over the vertical"""
 
     up: tuple[float, float, float] = parameter((0, 0, 1), "Direction that stays up")
 
@@ -78,11 +78,13 @@ class FixedUp:
         level = np.cross(unit(np.array(self.up)[None]), stations.leave)
         defined = np.linalg.norm(level, axis=1) > 1e-6
         found = signed_angle(normals, level, stations.leave)
-        if defined.all():
+        filled = fill(stations, found, defined, holonomy) if defined.any() else np.zeros(len(found))
+        flips = flipping(filled, stations, holonomy)
+        if defined.all() and not flips.any():
             return found, ()
-        place = stations.u[np.argmax(~defined)]
-        told = (f"Frame: the trajectory runs along the up direction at u = {place:.4g}; level has no meaning there.",)
-        return fill(stations, found, defined, holonomy) if defined.any() else np.zeros(len(found)), told
+        place = stations.u[np.argmax(~defined if not defined.all() else flips)]
+        told = (f"Frame: the trajectory runs along the up direction near u = {place:.4g}, where no side is up.",)
+        return fill(stations, found, defined, holonomy, half=True) if defined.any() else filled, told
 
 
 Frame = RotationMinimizing | Frenet | FixedUp
@@ -170,6 +172,8 @@ def fill(stations, angles, known, holonomy, half=False):
     if stations.closed:  # once round, the same frame stands at an angle that has grown by minus the holonomy
         again = found[0] - holonomy
         again += period * np.round((found[-1] - again) / period)
+        if abs(wrapped(again - found[0] + holonomy)) > tau / 4:  # the sides changed an odd number of times
+            return fill(stations, angles, known, holonomy)
         at, found = np.append(at, at[0] + stations.total), np.append(found, again)
         at, found = np.insert(at, 0, at[-2] - stations.total), np.insert(found, 0, found[-2] - (again - found[0]))
     return np.interp(stations.s, at, found)
