@@ -3,16 +3,17 @@
 """Along the path: how the contour is scaled and turned at each station, its tapers included."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
 from .ends import Taper
 from .laws import Constant, Law
-from .parameters import ShapeError, at, require
+from .parameters import LARGEST, ShapeError, at, require
 from .sampling import WIDEST_TURN
 from .trajectories.arc_length import arc_length
 
-NOTHING = 1e-9  # of the largest scale: a contour this small is a point
+NOTHING = 1e-7  # of the largest scale: single precision cannot tell a contour this small from a point
 SEARCHED = 4097  # places along the trajectory where a change of sign is looked for
 
 
@@ -51,6 +52,8 @@ class Along:
         for key in ("scale_x", "scale_y", "twist"):
             with at(key):
                 values.append(getattr(self, key).evaluate(u, t, s))
+                most = float(np.abs(values[-1]).max(initial=0.0))
+                require(most <= LARGEST, f"must be at most {LARGEST:g} in size", most)
         taper = np.ones_like(s)
         for length, left in zip(self.tapers, (s, measure.total - s), strict=True):
             if length:
@@ -59,16 +62,27 @@ class Along:
 
     def marks(self):
         """Arc lengths where a station must be: the starts of tapers, and where the scale changes its sign."""
-        total = arc_length(self.trajectory).total
-        require(sum(self.tapers) <= total * (1 + 1e-9), f"must be at most {total:g} together", sum(self.tapers), "end")
+        total = left = arc_length(self.trajectory).total
+        for key, length in zip(("start.length", "end.length"), self.tapers, strict=True):
+            fits = length <= left + 1e-9 * total
+            require(fits, f"must be at most {left:.6g}, what is left of the trajectory", length, key)
+            left = max(left - length, 0.0)
         marks = [self.tapers[0], total - self.tapers[1]]
         if not self.is_constant:
-            marks.extend(self.crossings(np.linspace(0.0, total, SEARCHED)))
+            marks.extend(self.crossings())
         return tuple(mark for mark in marks if 0.0 < mark < total)
 
-    def crossings(self, s):
+    @property
+    def largest(self):
+        """The largest scale anywhere along the trajectory."""
+        if self.is_constant:
+            return max(float(np.abs(law.evaluate(*np.zeros((3, 1)))[0])) for law in (self.scale_x, self.scale_y))
+        return max(float(np.abs(scale).max()) for scale in searched(self)[1:])
+
+    def crossings(self):
         """Arc lengths where the scale along e2 passes zero, by bisection of all of them at once."""
-        positive = self.at(s)[0] > 0
+        s, scale, _ = searched(self)
+        positive = scale > 0
         change = np.flatnonzero(positive[1:] != positive[:-1])
         low, high = s[change], s[change + 1]
         for _ in range(50):
@@ -99,11 +113,12 @@ class Along:
         measure = arc_length(self.trajectory)
         ends = self.at(np.array([0.0, measure.total]))
         for key, (first, last) in zip(("scale_x", "scale_y"), ends[:2], strict=True):
-            same = abs(last - first) <= 1e-9 * max(abs(first), abs(last))
+            same = abs(last - first) <= 1e-9 * self.largest
             require(same, f"must be the same at both ends of a closed trajectory, {first:g}", float(last), key)
         turns = (ends[2][1] - ends[2][0]) / (2 * np.pi)
         whole = abs(turns - np.round(turns)) <= 1e-9
-        require(whole, "must grow by whole turns along a closed trajectory", f"{turns:.9g} turns", "twist")
+        if not whole:
+            raise ShapeError(f"must grow by whole turns along a closed trajectory, got {turns:.9g} turns", "twist")
 
 
 def tapers(start, end):
@@ -111,24 +126,35 @@ def tapers(start, end):
     return tuple(end.length if isinstance(end, Taper) else 0.0 for end in (start, end))
 
 
-def tips(scale_x, scale_y):
+@lru_cache(maxsize=16)
+def searched(along):
+    """Arc lengths all along the trajectory, and the scales along e2 and e3 there: three (n,) float arrays."""
+    s = np.linspace(0.0, arc_length(along.trajectory).total, SEARCHED)
+    return s, *along.at(s)[:2]
+
+
+def tips(scale_x, scale_y, largest, closed):
     """Where the contour is a point: a (n,) bool array; and whether it is mirrored.
 
     Raises
     ------
     ShapeError
-        Where the contour is a line, changes its side, or is a point along a stretch.
+        Where the contour is a line, changes its side, jumps over zero or is a point along a stretch.
     """
-    largest = max(np.abs(scale_x).max(), np.abs(scale_y).max())
-    require(largest > 0, "must not be 0 everywhere", 0, "scale_x")
-    flat_x, flat_y = np.abs(scale_x) <= NOTHING * largest, np.abs(scale_y) <= NOTHING * largest
-    for flat, other, keys in ((flat_x, flat_y, ("scale_x", "scale_y")), (flat_y, flat_x, ("scale_y", "scale_x"))):
-        if (flat & ~other).any():
-            raise ShapeError(
-                f"must not be 0 where {keys[1]} is not, got 0 at contour {np.argmax(flat & ~other) + 1}", keys[0]
-            )
-    side = np.sign(scale_x * scale_y)[~flat_x]
-    require(len(set(side)) == 1, "must not change its sign against scale_x", "both signs", "scale_y")
-    stretch = flat_x[1:] & flat_x[:-1]
-    require(not stretch.any(), "must not stay 0 along a stretch", f"0 at contour {np.argmax(stretch) + 1}", "scale_x")
-    return flat_x, bool(side[0] < 0)
+    x, y = (np.where(np.abs(scale) > NOTHING * largest, np.sign(scale), 0.0) for scale in (scale_x, scale_y))
+    require(x.any(), "must not be 0 everywhere", 0, "scale_x")
+    following = np.roll(x, -1)
+    following[-1] = x[0] if closed else x[-2]
+    mirrored = bool((x * y).min() < 0)
+    for key, sentence, wrong in (
+        ("scale_x", "must not be 0 where scale_y is not", (x == 0) & (y != 0)),
+        ("scale_y", "must not be 0 where scale_x is not", (y == 0) & (x != 0)),
+        ("scale_y", "must not change its sign against scale_x", x * y == (1 if mirrored else -1)),
+        ("scale_x", "must not stay 0 along a stretch", (x == 0) & (following == 0)),
+        ("scale_x", "must reach 0 where it changes its sign", x * following < 0),
+    ):
+        if wrong.any():
+            contour = int(np.argmax(wrong))
+            got = (scale_x if key == "scale_x" else scale_y)[contour]
+            raise ShapeError(f"{sentence}, got {got:.6g} at contour {contour + 1}", key)
+    return x == 0, mirrored

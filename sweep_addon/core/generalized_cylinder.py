@@ -15,12 +15,14 @@ from .frames import Frame, RotationMinimizing, axes
 from .grid import Chart, Grid, lengths_around
 from .laws import Law
 from .mesh import Mesh
-from .parameters import angle, declared, parameter, require
+from .parameters import angle, at, declared, parameter, require
 from .sampling import Sampling, Tolerance, place
 from .trajectories import Helix, Trajectory
+from .trajectories.arc_length import arc_length
 from .trajectories.curve import unit
 
 MOST_VERTICES = 20_000_000
+ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
 
 
@@ -78,13 +80,15 @@ class GeneralizedCylinder:
         if closed and (isinstance(self.start, Taper) or isinstance(self.end, Taper)):
             told += ("Ends: a closed trajectory has none, so nothing tapers.",)
         along = Along(self.trajectory, self.scale_x, self.scale_y, self.twist, tapers(*ends))
-        reach = 0.0 if along.is_constant else float(np.linalg.norm(section.points, axis=1).max())
-        stations = stand(self.samples, along.unchanging(), reach)
+        reach = float(np.linalg.norm(section.points, axis=1).max())
+        stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         vertices = len(stations.s) * len(section.points)
         require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", f"{vertices:,}", "samples")
 
         scale_x, scale_y, twist = along.at(stations.s, stations.u)
-        points, mirrored = tips(scale_x, scale_y)
+        points, mirrored = tips(scale_x, scale_y, along.largest, closed)
+        reach, least = reach * along.largest, ROUNDING * np.abs(stations.points).max()
+        require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
         if mirrored:
             section, scale_x = mirror(section), -scale_x
         e2, e3, said = axes(self.frame, stations, twist)
@@ -117,6 +121,8 @@ class GeneralizedCylinder:
 @lru_cache(maxsize=16)
 def stand(samples, along, reach):
     """The stations of a sweep, the same for all contours of one reach."""
+    with at("trajectory"):
+        arc_length(along.trajectory)
     if along.trajectory.closed:
         along.check_closed()
     return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)

@@ -125,9 +125,15 @@ class Mesh:
         return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
 
     def area(self):
-        """The area of all faces in square metres; a bent face counts as its triangles."""
-        a, b, c = self.vertices[self.topology.fans.T]
-        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
+        """The area of all faces in square metres; a bent face counts as its shadow on its own plane."""
+        return float(np.linalg.norm(self.normals, axis=1).sum())
+
+    @cached_property
+    def normals(self):
+        """(f, 3) float array: the normal of each face, as long as its area in square metres; Newell's method."""
+        centred = self.vertices - self.vertices.mean(axis=0)
+        here, there = centred[self.corners], centred[self.corners[self.topology.following]]
+        return np.add.reduceat(np.cross(here, there), self.offsets[:-1], axis=0) / 2
 
     def boundary_edges(self):
         """Edges of one face alone: (k, 2) int array of vertices, empty where the mesh is closed."""
