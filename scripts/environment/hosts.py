@@ -4,6 +4,7 @@
 
 import os
 import shutil
+import subprocess
 import sys
 import time
 from dataclasses import dataclass, replace
@@ -14,6 +15,7 @@ from .running import Counts, program, suite
 
 PICTURES = BUILD / "window"
 SCREEN = ("-screen", "0", "1400x900x24")
+VERSIONS = "import platform, numpy; print(f'Python {platform.python_version()}, NumPy {numpy.__version__}')"
 # In front of Blender's Python: failures decide the exit code, and pytest is found.
 INSIDE_BLENDER = ("--python-use-system-env", "--python-exit-code", "1")
 
@@ -25,6 +27,7 @@ class Result:
     host: str
     counts: Counts = Counts()
     seconds: float = 0.0
+    ran: str = ""  # which Python or Blender it was
     missing: str = ""  # why it could not run
 
 
@@ -33,10 +36,22 @@ def tried(name, host, arguments):
     print(f"\n=== {name}: {host.__doc__}", flush=True)
     start = time.monotonic()
     try:
-        result = Result(name, host(arguments))
+        result = Result(name, host(arguments), ran=what_ran(name))
     except SetupError as error:
         result = Result(name, missing=str(error))
     return replace(result, seconds=time.monotonic() - start)
+
+
+def what_ran(name):
+    """The version of the Python or Blender behind a host."""
+    command, variables = {
+        "style": ([venvs.PLAIN.python, "-I", "-m", "ruff", "--version"], {}),
+        "plain Python": ([venvs.PLAIN.python, "-I", "-c", VERSIONS], {}),
+        "NumPy alone": ([venvs.NUMPY.python, "-I", "-c", VERSIONS], {}),
+        "bpy wheel": ([blenders.LAUNCHER, "--version"], {"SWEEP_BLENDER": "wheel"}),
+    }.get(name, ([blenders.LAUNCHER, "--version"], {}))
+    answer = subprocess.run(command, env={**os.environ, **variables}, capture_output=True, text=True, timeout=120)
+    return answer.stdout.partition("\n")[0]
 
 
 def style(arguments):
@@ -120,12 +135,10 @@ ALL = {
 
 def table(results, required):
     """The results as lines, and whether all is well: what could not run is loud, and a failure where required."""
-    print(f"\n{'host':<16}{'passed':>8}{'failed':>8}{'skipped':>9}{'seconds':>9}")
+    print(f"\n{'host':<16}{'passed':>8}{'failed':>8}{'skipped':>9}{'seconds':>9}  what ran")
     for r in results:
-        if r.missing:
-            print(f"{r.host:<16}{'NOT RUN':>8}{'':>17}{r.seconds:>9.0f}")
-        else:
-            print(f"{r.host:<16}{r.counts.passed:>8}{r.counts.failed:>8}{r.counts.skipped:>9}{r.seconds:>9.0f}")
+        counts = ("NOT RUN", "", "") if r.missing else (r.counts.passed, r.counts.failed, r.counts.skipped)
+        print("{:<16}{:>8}{:>8}{:>9}{:>9.0f}  {}".format(r.host, *counts, r.seconds, r.ran))
     missing = [r for r in results if r.missing]
     for r in missing:
         print(f"\n*** {r.host}: its tests were NOT run. {r.missing}")

@@ -60,7 +60,10 @@ def wheels():
 def extension(blender, *arguments):
     """Run a command of Blender's extension tool; a warning counts as a failure."""
     command = [*blender.command, "--background", "--factory-startup", "--command", "extension", *map(str, arguments)]
-    answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+    try:
+        answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+    except subprocess.TimeoutExpired:
+        raise SetupError(f"blender --command extension {arguments[0]}: no end after 300 s") from None
     lines = [line for line in answer.stdout.splitlines() if not LOGGED.match(line)]
     if answer.returncode or re.search(r"warn|error", "\n".join(lines), re.IGNORECASE):
         raise SetupError(f"blender --command extension {arguments[0]}: {answer.stdout.strip()}")
