@@ -77,81 +77,98 @@ class Grid:
 
 @lru_cache(maxsize=4)
 def build(grid):
-    columns, following = grid.columns, grid.following.astype(np.int32)
-    whole, column = grid.whole, np.arange(grid.columns, dtype=np.int32)
-    rings, pairs = len(whole), grid.bands()[0]
-    position = np.zeros(grid.rings, np.int32)
-    position[whole] = np.arange(rings)
-    position[list(grid.tips)] = columns * rings + np.arange(len(grid.tips))
-    stride = np.full(grid.rings, rings, np.int32)
-    stride[list(grid.tips)] = 0
-
-    def vertex(columns, stations):
-        return columns[:, None] * stride[stations] + position[stations]
-
-    bands = len(pairs)
-    along = column[:, None] * np.int32(bands) + np.arange(bands, dtype=np.int32)
-    around = np.int32(columns * bands) + column[:, None] * np.int32(rings) + np.arange(rings, dtype=np.int32)
-    edges = np.empty((columns * (bands + rings), 2), np.int32)
-    edges[: columns * bands].reshape(columns, bands, 2)[...] = np.stack(
-        (vertex(column, pairs[:, 0]), vertex(column, pairs[:, 1])), axis=-1
-    )
-    edges[columns * bands :].reshape(columns, rings, 2)[...] = np.stack(
-        (vertex(column, whole), vertex(following, whole)), axis=-1
-    )
-    sides = list(side_faces(grid, vertex, along, around, following))
-    caps, inner = cap_faces(grid, vertex, around, len(edges))
-    faces = sides + caps
+    columns, rings, pairs = grid.columns, len(grid.whole), grid.bands()[0]
+    stride, position = places(grid)
+    low, high, whole = *pairs.T, grid.whole
+    along = (len(pairs), [(stride[end], 0, position[end]) for end in (low, high)])
+    around = (rings, [(stride[whole], 0, position[whole]), (0, stride[whole], position[whole])])
+    points, used = zip(*side_faces(grid, stride, position), strict=True)
+    caps, inner = cap_faces(grid, stride, position)
     sizes = np.concatenate(
-        [np.full(len(corners) // size, size) if np.isscalar(size) else size for corners, _, size in faces]
+        [np.repeat(np.int32(len(terms)), columns * count) for count, terms in points] + [size for *_, size in caps]
     )
-    material = np.full(len(sizes), SIDE, np.int32)
-    material[sum(len(corners) // size for corners, _, size in sides) :] = CAP
+    material = np.full(len(sizes), CAP, np.int32)
+    material[: columns * len(pairs)] = SIDE
     return Topology(
-        corners=np.concatenate([corners for corners, _, _ in faces]),
-        offsets=np.concatenate(([0], np.cumsum(sizes))).astype(np.int32),
-        edges=np.concatenate((edges, inner)),
-        corner_edges=np.concatenate([used for _, used, _ in faces]),
-        sharp=sharp_edges(grid, along, around, len(edges) + len(inner)),
+        corners=laid(grid, points, *(corners for corners, *_ in caps)),
+        offsets=np.concatenate((np.zeros(1, np.int32), sizes)).cumsum(dtype=np.int32),
+        edges=laid(grid, (along, around), inner.ravel()).reshape(-1, 2),
+        corner_edges=laid(grid, used, *(edges for _, edges, _ in caps)),
+        sharp=sharp_edges(grid, len(pairs), len(inner)),
         material=material,
     )
 
 
-def side_faces(grid, vertex, along, around, following):
-    """The corners of the faces between rings, the edge that starts at each corner, and how many a face has."""
-    column = np.arange(grid.columns, dtype=np.int32)
-    pairs, below, above = grid.bands()
-    ring = np.full(grid.rings, -1)
-    ring[grid.whole] = np.arange(len(grid.whole))
+def places(grid):
+    """Where the vertices of each station are: that of column c has the number c * stride + position; two (n,)."""
+    rings, tips = len(grid.whole), list(grid.tips)
+    stride, position = np.full(grid.rings, rings, np.int32), np.zeros(grid.rings, np.int32)
+    position[grid.whole] = np.arange(rings)
+    stride[tips], position[tips] = 0, grid.columns * rings + np.arange(len(tips))
+    return stride, position
 
-    def faces(bands, *corners):
-        """Corners given as (which column, which end of the band, the edge that starts there)."""
-        low, high = pairs[bands].T
-        stations = (low, high)
-        shape = (grid.columns, len(bands), len(corners))
-        points, used = np.empty(shape, np.int32), np.empty(shape, np.int32)
-        for i, (columns, end, edge) in enumerate(corners):
-            points[..., i] = vertex(columns, stations[end])
-            used[..., i] = {
-                "low": lambda: around[:, ring[low]],
-                "up": lambda: along[following][:, bands],
-                "high": lambda: around[:, ring[high]],
-                "down": lambda: along[:, bands],
-            }[edge]()
-        return points.ravel(), used.ravel(), len(corners)
+
+def laid(grid, blocks, *rest):
+    """Blocks of numbers, each laid column by column, and the rest, in one int32 array.
+
+    Parameters
+    ----------
+    grid : Grid
+    blocks : sequence of (count, terms)
+        Of each column there are count rows of one number for each term (own, ahead, fixed), int or (count,) int array:
+        column * own + following * ahead + fixed.
+    *rest : int arrays
+
+    All rows are one array times the column, and only the last column of each loop is not followed by the next one.
+    """
+    column, following = np.arange(grid.columns, dtype=np.int32), grid.following.astype(np.int32)
+    last = np.flatnonzero(following != column + 1)
+    sizes = [grid.columns * count * len(terms) for count, terms in blocks]
+    numbers = np.empty(sum(sizes) + sum(map(len, rest)), np.int32)
+    *parts, end = np.split(numbers, np.cumsum(sizes))
+    for part, (count, terms) in zip(parts, blocks, strict=True):
+        part = part.reshape(grid.columns, count, len(terms))
+        own, ahead, fixed = np.empty((3, count, len(terms)), np.int32)
+        for i, term in enumerate(terms):
+            own[:, i], ahead[:, i], fixed[:, i] = term
+        np.multiply(column[:, None, None], own + ahead, out=part)
+        part += fixed + ahead
+        part[last] += (following - column - 1)[last, None, None] * ahead
+    end[:] = np.concatenate((end[:0], *rest))
+    return numbers
+
+
+def side_faces(grid, stride, position):
+    """Blocks of the faces between rings: the vertices at their corners, and the edges that start there."""
+    pairs, below, above = grid.bands()
+    bands, rings = len(pairs), len(grid.whole)
+    ring = np.full(grid.rings, -1)
+    ring[grid.whole] = np.arange(rings)
+
+    def blocks(chosen, *corners):
+        """Corners given as (on its own column or the next, on which end of the band, the edge that starts there)."""
+        ends = dict(zip(("low", "high"), pairs[chosen].T, strict=True))
+        edges = {end: (rings, 0, grid.columns * bands + ring[station]) for end, station in ends.items()}
+        edges |= {"up": (0, bands, chosen), "down": (bands, 0, chosen)}
+        points, used = [], []
+        for column, end, edge in corners:
+            steps, place = stride[ends[end]], position[ends[end]]
+            points.append((steps, 0, place) if column == "own" else (0, steps, place))
+            used.append(edges[edge])
+        return (len(chosen), points), (len(chosen), used)
 
     quads, cones, funnels = (np.flatnonzero(chosen) for chosen in (~below & ~above, above & ~below, below & ~above))
-    yield faces(quads, (column, 0, "low"), (following, 0, "up"), (following, 1, "high"), (column, 1, "down"))
-    if len(cones):
-        yield faces(cones, (column, 0, "low"), (following, 0, "up"), (column, 1, "down"))
-    if len(funnels):
-        yield faces(funnels, (column, 0, "up"), (following, 1, "high"), (column, 1, "down"))
+    third, fourth = ("next", "high", "high"), ("own", "high", "down")
+    yield blocks(quads, ("own", "low", "low"), ("next", "low", "up"), third, fourth)
+    yield blocks(cones, ("own", "low", "low"), ("next", "low", "up"), fourth)
+    yield blocks(funnels, ("own", "low", "up"), third, fourth)
 
 
-def cap_faces(grid, vertex, around, first_inner):
+def cap_faces(grid, stride, position):
     """The faces at the ends, and the edges inside them."""
     faces, inner = [], [np.empty((0, 2), np.int32)]
-    following = grid.following
+    following, bands, rings = grid.following, len(grid.bands()[0]), len(grid.whole)
+    first_inner = grid.columns * (bands + rings)
     for cap, station, turn in zip(grid.caps, (0, grid.rings - 1), (-1, 1), strict=True):
         if cap is None:
             continue
@@ -161,25 +178,25 @@ def cap_faces(grid, vertex, around, first_inner):
             points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
         last = np.arange(len(points)) == offsets[face + 1] - 1
         ahead = points[np.where(last, offsets[face], np.arange(1, len(points) + 1))]
-        ring = 0 if station == 0 else around.shape[1] - 1
-        used = np.where(following[points] == ahead, around[points, ring], around[ahead, ring])
+        rim = grid.columns * bands + (0 if station == 0 else rings - 1)
+        used = rim + rings * np.where(following[points] == ahead, points, ahead)
         crossing = (following[points] != ahead) & (following[ahead] != points)
         ends = np.sort(np.stack((points, ahead), axis=1)[crossing], axis=1)
         unique, which = np.unique(ends, axis=0, return_inverse=True)
         used[crossing] = first_inner + sum(map(len, inner)) + which.ravel()
-        inner.append(vertex(unique.ravel(), np.array([station])).reshape(-1, 2).astype(np.int32))
-        corners = vertex(points, np.array([station])).ravel().astype(np.int32)
+        inner.append((unique * stride[station] + position[station]).astype(np.int32))
+        corners = (points * stride[station] + position[station]).astype(np.int32)
         faces.append((corners, used.astype(np.int32), np.diff(offsets)))
     return faces, np.concatenate(inner)
 
 
-def sharp_edges(grid, along, around, count):
+def sharp_edges(grid, bands, inner):
     """Edges along the corners of the contour, round the mitres and round the caps."""
-    sharp = np.zeros(count, bool)
-    sharp[along[list(grid.sharp)]] = True
+    along, around = np.zeros((grid.columns, bands), bool), np.zeros((grid.columns, len(grid.whole)), bool)
+    along[list(grid.sharp)] = True
     rims = [station for station, cap in zip((0, grid.rings - 1), grid.caps, strict=True) if cap is not None]
-    sharp[around[:, np.isin(grid.whole, [*grid.creases, *rims])]] = True
-    return sharp
+    around[:, np.isin(grid.whole, [*grid.creases, *rims])] = True
+    return np.concatenate((along.ravel(), around.ravel(), np.zeros(inner, bool)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,24 +244,30 @@ class Chart:
 
     def uv(self, dtype=np.float64):
         """Texture coordinates (c, 2) of each corner in metres: along the trajectory, round the contour."""
-        grid = self.grid
-        pairs, below, above = grid.bands()
+        pairs, below, above = self.grid.bands()
         low, high = self.s[pairs].T
         high = np.where(high > low, high, self.total)
-        left, right = (side[:, None] for side in self.columns())
-        parts = []
-        for chosen, corners in (
-            (~below & ~above, ((low, left), (low, right), (high, right), (high, left))),
-            (above & ~below, ((low, left), (low, right), (high, (left + right) / 2))),
-            (below & ~above, ((low, (left + right) / 2), (high, right), (high, left))),
-        ):
-            along = np.stack([along[chosen] for along, _ in corners], axis=-1)
-            part = np.empty((grid.columns, *along.shape, 2), dtype)
-            part[..., 0] = along
-            for i, (_, across) in enumerate(corners):
-                part[:, :, i, 1] = across
-            parts.append(part.reshape(-1, 2))
-        return np.concatenate((*parts, *self.cap_uv(dtype)))
+        left, right = self.columns()
+        sides = np.stack((np.ones_like(left), left, right), axis=1).astype(dtype)
+        kinds = (
+            (~below & ~above, (low, low, high, high), (0, 1, 1, 0)),
+            (above & ~below, (low, low, high), (0, 1, 0.5)),
+            (below & ~above, (low, high, high), (0.5, 1, 0)),
+        )
+        widths = [2 * len(shares) * np.count_nonzero(chosen) for chosen, _, shares in kinds]
+        caps = list(self.cap_uv(dtype))
+        uv = np.empty(len(sides) * sum(widths) + sum(cap.size for cap in caps), dtype)
+        start = 0
+        for (chosen, along, shares), width in zip(kinds, widths, strict=True):
+            # One matrix product lays all corners: along the trajectory + left + right, each by its share.
+            rows = np.zeros((3, width // (2 * len(shares)), len(shares), 2), dtype)
+            rows[0, ..., 0] = np.stack([end[chosen] for end in along], axis=-1)
+            rows[1, ..., 1], rows[2, ..., 1] = 1 - np.array(shares), shares
+            part = uv[start : start + len(sides) * width].reshape(len(sides), width)
+            np.matmul(sides, rows.reshape(3, width), out=part)
+            start += part.size
+        uv[start:] = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in caps)])
+        return uv.reshape(-1, 2)
 
     def cap_uv(self, dtype):
         """The caps lie flat beside the strip, before its start and after its end."""
