@@ -30,6 +30,11 @@ class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
         default=True,
     )
 
+    def draw(self, context):
+        self.layout.use_property_split = True
+        for name in ("preset", "follow", "align", "location", "rotation"):
+            self.layout.prop(self, name)
+
     def execute(self, context):
         curve = context.active_object
         try:

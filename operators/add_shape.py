@@ -18,6 +18,8 @@ class AddShape(AddObjectHelper):
     def draw(self, context):
         self.layout.use_property_split = True
         layout.draw(self.layout, self, parameters(self.shape))
+        for name in ("align", "location", "rotation"):
+            self.layout.prop(self, name)
 
     def execute(self, context):
         try:

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Add > Mesh > Sweep > Generalized Cylinder with the mouse, then the panel of the last operation changes it."""
+
+import bpy
+from _window import run
+
+ADD, MESH, ACROSS, SWEEP, FIRST = (285, 860), (310, 836), (500, 836), (500, 613), (690, 613)  # read off a picture
+POINTS = (592, 375)
+
+
+def add_menu(person):
+    yield 0.5
+    yield from person.click(*ADD)
+    for place in (MESH, ACROSS, SWEEP):
+        yield from person.move(*place)
+        yield 0.4
+    yield from person.picture("a1-add-menu")
+    yield from person.click(*FIRST)
+    sweep = bpy.context.active_object
+    assert sweep.data.sweep.kind == "GENERALIZED_CYLINDER", "the first line of the menu adds a generalized cylinder"
+    faces = len(sweep.data.polygons)
+    yield from person.over_view()
+    yield from person.press("F9")
+    yield 0.5
+    yield from person.picture("a2-last-operation")
+    yield from person.type_number(*POINTS, "8")
+    sweep = bpy.context.active_object
+    assert sweep.data.sweep.generalized_cylinder.contour_circle_points == 8
+    assert len(sweep.data.polygons) - 2 == (faces - 2) // 8
+    yield from person.picture("a3-eight-points")
+
+
+run(add_menu)
