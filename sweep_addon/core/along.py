@@ -85,7 +85,7 @@ class Along:
         positive = scale > 0
         change = np.flatnonzero(positive[1:] != positive[:-1])
         low, high = s[change], s[change + 1]
-        for _ in range(50):
+        for _ in range(50 if len(change) else 0):
             middle = (low + high) / 2
             below = (self.at(middle)[0] > 0) == positive[change]
             low, high = np.where(below, middle, low), np.where(below, high, middle)
