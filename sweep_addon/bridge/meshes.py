@@ -10,6 +10,7 @@ import bmesh
 import numpy as np
 
 TEXTURE = "UVMap"
+SAMPLE = 300_000  # coordinates
 
 
 def write(mesh, made, topology="", texture=""):
@@ -26,16 +27,31 @@ def write(mesh, made, topology="", texture=""):
     Returns
     -------
     topology, texture : str
+    mark : int
+        What `mark` says of the mesh.
     """
     count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
     if made.topology.key != topology or not count:
         write_topology(mesh, made.topology, len(made.vertices))
         texture = ""
-    values = np.ascontiguousarray(made.vertices, dtype=np.float32)
-    mesh.attributes["position"].data.foreach_set("vector", values.ravel())
+    values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()
+    mesh.attributes["position"].data.foreach_set("vector", values)
     write_texture(mesh, made.chart, texture.split("|"))
     mesh.update()
-    return made.topology.key, "|".join(made.chart.keys)
+    return made.topology.key, "|".join(made.chart.keys), total(values, len(made.corners))
+
+
+def mark(mesh):
+    """A number that changes when vertices are moved, by a tool or a script, and when faces come or go."""
+    places = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.attributes["position"].data.foreach_get("vector", places)
+    return total(places, len(mesh.loops))
+
+
+def total(places, corners):
+    """The sum of the bits of coordinates, or of a sample where there are many: 1 ms for 640,000 vertices."""
+    sample = places[:: 1 + 3 * (len(places) // SAMPLE)]
+    return int(sample.view(np.uint32).sum(dtype=np.uint64) + len(places) + corners) % 2**31
 
 
 def equal(mesh, made):

@@ -3,6 +3,7 @@
 """Shapes as objects of a Blender scene, and back."""
 
 import bpy
+from mathutils import Matrix
 
 from ..core.parameters import ShapeError, at, parameters, spelled
 from ..core.shapes import SHAPES
@@ -139,8 +140,9 @@ def is_editable_sweep(ob):
 
 def forget(mesh):
     """Keep a mesh and forget what it was made from."""
+    parameters_of_shape = mesh.sweep.kind.lower()  # they use the input objects, which could not be deleted for good
     mesh.sweep.kind = "NONE"
-    for name in ("made", "topology", "texture", "error", "told"):
+    for name in (parameters_of_shape, "made", "topology", "texture", "mark", "rings", "error", "told", "edited"):
         mesh.sweep.property_unset(name)
 
 
@@ -173,5 +175,6 @@ def use(ob, parameter, curve):
         ob.matrix_parent_inverse.identity()
         ob.matrix_basis.identity()
     else:
-        curve.matrix_world = ob.matrix_world.copy()
+        place, turn, _ = ob.matrix_world.decompose()  # an outline is scaled as its object is, but not as the sweep is
+        curve.matrix_world = Matrix.LocRotScale(place, turn, None)
         curve.location.x += 2 * max(ob.dimensions) or 1.0

@@ -15,11 +15,11 @@ import bpy
 import numpy as np
 
 from ..core.forms import plain
-from ..core.parameters import ShapeError, inside, parameters, spelled
+from ..core.parameters import ShapeError, at, inside, parameters, require, spelled
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
-SMALLEST = 1e-6  # where a slider stops that must be more than 0; typed text and scripts may go below
+SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 
 
 def annotations(declared, prefix="", pointers=False, **callbacks):
@@ -49,8 +49,10 @@ def define(p, pointers, common):
         maker = bpy.props.BoolProperty if p.type is bool else bpy.props.StringProperty
         return maker(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
     widest = WIDEST[p.type is int]
-    lowest = max(p.minimum, p.above + SMALLEST, -widest)
+    lowest = max(p.minimum, p.above, -widest)  # the limit itself too: it is refused in the value's own words
     limits = {"min": lowest, "max": min(p.maximum, widest)}
+    if p.above > p.minimum:
+        limits["soft_min"] = p.above + SMALLEST
     if p.soft_maximum is not None:
         limits["soft_max"] = p.soft_maximum
     if p.type is int:
@@ -132,12 +134,22 @@ def table(group, declared, prefix, resolve):
             held[p.name] = {"kind": spelled(kinds[value]), **inner}
         elif value == "OBJECT" and p.accepts:
             chosen = getattr(group, f"{name}_object")
-            if chosen is None:
-                raise ShapeError("must be an object of the scene; none is chosen, or it was deleted", p.name)
+            with at(p.name):
+                require_usable(chosen, p.accepts)
             held[p.name] = resolve(chosen, p)
         else:
             held[p.name] = meant(p, value)
     return held
+
+
+def require_usable(ob, types):
+    """Refuse an object that is not there; a deleted one lives on in no scene, because the mesh still uses it."""
+    if ob is None:
+        raise ShapeError("must be an object of the scene; none is chosen, or it was deleted")
+    if not ob.original.users_scene:
+        raise ShapeError(f"must be an object of the scene; {ob.name!r} was deleted")
+    wanted = " or ".join(types).lower().replace("font", "text")
+    require(ob.type in types, f"must be a {wanted} object", ob.type.lower())
 
 
 def chosen_kinds(p):

@@ -5,6 +5,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
+from ..bridge.meshes import mark
 from ..bridge.objects import inputs
 from .live import differs, rebuild, set_if_other
 
@@ -23,8 +24,9 @@ def after_update(scene, depsgraph):
         rebuild(mesh, depsgraph)
         if mesh.is_editmode:
             set_if_other(mesh.sweep, "edited", True)
-        elif mesh.sweep.edited:
-            set_if_other(mesh.sweep, "edited", differs(mesh))
+        elif mesh.is_editable:
+            changed = differs(mesh) if mesh.sweep.edited else mark(mesh) != mesh.sweep.mark
+            set_if_other(mesh.sweep, "edited", changed)
 
 
 @persistent

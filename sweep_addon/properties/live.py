@@ -6,6 +6,7 @@ import numpy as np
 
 from ..bridge import meshes, objects
 from ..core.digest import digest
+from ..core.forms import VERSION
 from ..core.joining import joined
 from ..core.parameters import ShapeError
 
@@ -37,8 +38,8 @@ def rebuild(mesh, depsgraph=None):
         set_if_other(sweep, "error", str(error))
         return
     known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
-    sweep.topology, sweep.texture = meshes.write(mesh, made, *known)
-    sweep.made, sweep.rings = wanted, made.rings
+    sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known)
+    sweep.made, sweep.rings, sweep.version = wanted, made.rings, VERSION
     for name, value in (("error", ""), ("told", "\n".join(made.told)), ("edited", False)):
         set_if_other(sweep, name, value)
 

@@ -42,6 +42,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
         **{name: bpy.props.PointerProperty(type=group) for name, group in GROUPS.items()},
         "kind": bpy.props.EnumProperty(
             items=[("NONE", "None", "An ordinary mesh", 0), *(rna.item(s, rna.first_line(s.__doc__)) for s in SHAPES)],
+            options=set(),  # not animated: a mesh that is a sweep in some frames only could not say what it is
             update=update,
             name="Shape",
             description="The shape that the mesh is made from",
@@ -51,6 +52,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
         "made": hidden(bpy.props.StringProperty, description="What the mesh was last made from"),
         "topology": hidden(bpy.props.StringProperty, description="Which faces were last written"),
         "texture": hidden(bpy.props.StringProperty, description="Which texture coordinates were last written"),
+        "mark": hidden(bpy.props.IntProperty, description="A number by which a change by hand is noticed"),
         "rings": hidden(bpy.props.IntProperty, description="Contours along the trajectory"),
         "error": hidden(bpy.props.StringProperty, description="Why the mesh could not be made anew"),
         "told": hidden(bpy.props.StringProperty, description="What was decided where the parameters left it open"),

@@ -5,6 +5,11 @@
 import bpy
 import numpy as np
 
+from sweep_addon.bridge import objects
+from sweep_addon.core.contours import Circle
+from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.trajectories import Line
+
 
 def add(name, data):
     """A new object of the scene."""
@@ -50,3 +55,43 @@ def places(mesh):
     values = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", values)
     return values.reshape(-1, 3).astype(float)
+
+
+def straight(height=2.0):
+    """A curve object that goes straight up from its origin."""
+    return curve("POLY", [(0, 0, 0), (0, 0, height)], name="path")
+
+
+def square(side=1.0):
+    """A curve object of a square about its origin."""
+    corners = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]) * side / 2
+    return curve("POLY", corners, name="square", use_cyclic_u=True)
+
+
+def sweep(**given):
+    """A sweep of a circle of radius 0.5 straight up, 2 m high, or of what is given: values or objects."""
+    inputs = {key: value for key, value in given.items() if isinstance(value, bpy.types.Object)}
+    values = {key: value for key, value in given.items() if key not in inputs}
+    shape = GeneralizedCylinder(**{"contour": Circle(0.5), "trajectory": Line(end=(0, 0, 2)), **values})
+    mesh = objects.new_mesh(shape, "sweep", **inputs)
+    ob = add("sweep", mesh)
+    ob.parent = inputs.get("trajectory")
+    bpy.context.view_layer.update()
+    return ob
+
+
+def parameters_of(ob):
+    """The property group in which an object's mesh holds its parameters."""
+    return ob.data.sweep.generalized_cylinder
+
+
+def extent(ob):
+    """How far an object's mesh reaches along x, y and z, in its own space."""
+    return np.ptp(places(ob.data), axis=0)
+
+
+def select(active, *others):
+    """Select these objects alone, the first of them active."""
+    for ob in bpy.context.view_layer.objects:
+        ob.select_set(ob in (active, *others))
+    bpy.context.view_layer.objects.active = active
