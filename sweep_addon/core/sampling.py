@@ -8,12 +8,14 @@ from functools import cached_property
 import numpy as np
 
 from .parameters import ShapeError, count, declared, length, require
-from .trajectories.arc_length import arc_length
+from .trajectories.arc_length import arc_length, subdivided
 from .trajectories.curve import SAME_DIRECTION, SHARPEST, unit
 
 MOST_STATIONS = 200_000
 WIDEST_TURN = np.radians(30)  # a bend or a twist in one step; more looks broken at any tolerance
 FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
+CELLS = 2048  # at least, in which the curvature is looked at
+RESERVE = 0.98  # of the tolerance, for what the curvature changes within a step
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
 ROUNDING = 1e-13  # of the length: differences over less are noise
 
@@ -138,22 +140,16 @@ def spread(trajectory, ends, chord, extra):
     """Arc lengths that equidistribute the square root of the curvature, to which a chord's distance is bound.
 
     A chord of length h over curvature k is k h^2 / 8 away from the curve; equal distances need steps as 1 / sqrt(k).
+    Only from an inflection, where k grows from nothing, may one chord be 2 / sqrt(3) times as far away.
     """
-    measure = arc_length(trajectory)
-    even = np.linspace(0.0, measure.total, 1 if extra is None else 2049)
-    grid = distinct(np.concatenate((measure.lengths, ends, even)), ROUNDING * measure.total)
-    grid[-1] = measure.total
-    middle, width = (grid[1:] + grid[:-1]) / 2, np.diff(grid)
-    curvature = np.linalg.norm(bend(trajectory, measure.parameter(middle)), axis=1)
-    density = np.maximum(np.sqrt(curvature / (8 * chord)), curvature / WIDEST_TURN)
-    if extra is not None:
-        density = np.hypot(density, extra(middle, chord))
-    reached = np.concatenate(([0.0], np.cumsum(density * width)))
-    mean = reached[-1] / measure.total
-    reached += FLOOR * mean * grid
+    grid, asked = cells(trajectory, chord, extra)
+    mean = asked.sum() / grid[-1]
+    needed, reached = (
+        np.concatenate(([0.0], np.cumsum(steps))) for steps in (asked, np.maximum(asked, FLOOR * mean * np.diff(grid)))
+    )
     at_ends = np.interp(ends, grid, reached)
-    # the floor is not counted, only used to place: straight pieces need one step
-    wanted = np.diff(at_ends - FLOOR * mean * ends)
+    wanted = np.diff(np.interp(ends, grid, needed))
+    wanted = np.where(wanted > 1, np.diff(at_ends), wanted)  # a straight piece needs one step whatever the floor
     steps = np.maximum(-(-fewest(trajectory) // len(wanted)), np.ceil(wanted - 1e-9))
     most = f"must be larger, or the sweep turn less: it needs {steps.sum():,.0f} contours of {MOST_STATIONS:,} at most"
     require(steps.sum() <= MOST_STATIONS, most, chord, "samples.chord")
@@ -168,6 +164,28 @@ def spread(trajectory, ends, chord, extra):
     return pieces(ends, steps, arc_lengths if mean > 0 else evenly)
 
 
+def cells(trajectory, chord, extra):
+    """Arc lengths between small cells, from 0 to the whole, and the steps that each cell asks for: (k + 1,) and (k,).
+
+    A cell bends as the more bent one of its ends, so that no chord is too far away; but where that is a peak, as beside
+    a cusp, by no more than half a turn.
+    """
+    measure = arc_length(trajectory)
+    u = subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
+    width = measure.measure(u[:-1], u[1:])
+    kept = width > ROUNDING * measure.total  # a trajectory may stand still
+    width, u = width[kept], np.stack((u[:-1], u[1:]))[:, kept]
+    grid = np.concatenate(([0.0], np.cumsum(width)))
+    grid[-1] = measure.total
+    turns = [np.linalg.norm(bend(trajectory, u[end], end == 1), axis=1) * width for end in (0, 1)]
+    turn = np.minimum(np.maximum(*turns), np.maximum(np.minimum(*turns), np.pi))
+    steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_TURN)
+    if extra is not None:
+        density = extra(grid, RESERVE * chord)
+        steps = np.hypot(steps, np.maximum(density[1:], density[:-1]) * width)
+    return grid, steps
+
+
 def pieces(ends, steps, arc_lengths):
     """All stations of all pieces, each cut into its number of steps; the ends themselves are exact."""
     first = np.cumsum(steps) - steps
@@ -178,9 +196,9 @@ def pieces(ends, steps, arc_lengths):
     return np.append(s, ends[-1])
 
 
-def bend(trajectory, u):
+def bend(trajectory, u, before=False):
     """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared."""
-    first, second = trajectory.derivative(u, 1), trajectory.derivative(u, 2)
+    first, second = trajectory.derivative(u, 1, before), trajectory.derivative(u, 2, before)
     squared = np.einsum("ij,ij->i", first, first)[:, None]
     squared = np.where(squared > 0, squared, np.inf)
     along = np.einsum("ij,ij->i", first, second)[:, None]
