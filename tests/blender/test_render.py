@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is rendered: a render evaluates on its own and gives nothing back, so that a test of frames alone proves little.
+
+The camera looks straight down on 4 m by 4 m; what a sweep covers in a picture is compared with its area from above.
+"""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from scenes import add, curve, extent, parameters_of, square, straight, sweep, text
+
+FRAMES, PIXELS, FIELD = (1, 2, 3), 64, 4.0
+
+
+@pytest.fixture
+def render(scene, tmp_path):
+    """A function that renders the frames and tells the area covered in each, in square metres."""
+    camera = add("camera", bpy.data.cameras.new("camera"))
+    camera.location.z, camera.data.type, camera.data.ortho_scale = 20, "ORTHO", FIELD
+    scene.camera = camera
+    settings = scene.render
+    settings.engine, scene.cycles.samples, settings.film_transparent = "CYCLES", 16, True
+    settings.resolution_x = settings.resolution_y = PIXELS
+    settings.image_settings.file_format, settings.image_settings.color_mode = "PNG", "RGBA"
+    settings.filepath = str(tmp_path / "###")
+    scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
+
+    def covered():
+        bpy.ops.render.render(animation=True)
+        return [area(tmp_path / f"{frame:03}.png") for frame in FRAMES]
+
+    return covered
+
+
+def area(path):
+    image = bpy.data.images.load(str(path))
+    alpha = np.array(image.pixels[:]).reshape(-1, 4)[:, 3]
+    return alpha.sum() * (FIELD / PIXELS) ** 2
+
+
+def key(data, path, values):
+    """Keyframes of a property, one value for each frame; the first is the one shown."""
+    for frame, value in zip(FRAMES, values, strict=True):
+        owner, _, name = path.rpartition(".")
+        setattr(data.path_resolve(owner) if owner else data, name, value)
+        data.keyframe_insert(path, frame=frame)
+    bpy.context.scene.frame_set(FRAMES[0])
+
+
+def test_keyframed_parameter_is_rendered_and_the_shown_frame_comes_back(scene, render):
+    ob = sweep()
+    key(ob.data, "sweep.generalized_cylinder.contour_circle_radius", (0.5, 1.0, 1.5))
+    assert render() == pytest.approx([np.pi * r * r for r in (0.5, 1.0, 1.5)], rel=0.03)
+    assert extent(ob) == pytest.approx((1, 1, 2))
+
+
+def test_driven_parameter_is_rendered(scene, render):
+    ob = sweep()
+    driver = ob.data.driver_add("sweep.generalized_cylinder.contour_circle_radius").driver
+    driver.type, driver.expression = "SCRIPTED", "frame / 2"
+    scene.frame_set(1)
+    assert render() == pytest.approx([np.pi * r * r for r in (0.5, 1.0, 1.5)], rel=0.03)
+    assert extent(ob) == pytest.approx((1, 1, 2))
+
+
+def test_animated_contour_object_is_rendered(scene, render):
+    profile = square()
+    ob = sweep(contour=profile)
+    key(profile, "scale", ((1, 1, 1), (2, 1, 1), (2, 3, 1)))
+    assert render() == pytest.approx([1, 2, 6], rel=0.03)
+    assert extent(ob) == pytest.approx((1, 1, 2))
+
+
+def test_animated_points_of_the_trajectory_are_rendered(scene, render):
+    path = curve("POLY", [(-1.5, 0, 0), (0, 0, 0)])
+    ob = sweep(trajectory=path)
+    key(path.data, "splines[0].points[1].co", ((-0.5, 0, 0, 1), (0.5, 0, 0, 1), (1.5, 0, 0, 1)))
+    assert render() == pytest.approx([1, 2, 3], rel=0.03)
+    assert extent(ob) == pytest.approx((1, 1, 1))
+
+
+def test_animated_hook_of_the_trajectory_is_rendered(scene, render):
+    path, handle = curve("POLY", [(-1.5, 0, 0), (-0.5, 0, 0)]), add("handle", None)
+    hook = path.modifiers.new("Hook", "HOOK")
+    hook.object = handle
+    hook.vertex_indices_set([1])
+    ob = sweep(trajectory=path)
+    key(handle, "location", ((0, 0, 0), (1, 0, 0), (2, 0, 0)))
+    assert render() == pytest.approx([1, 2, 3], rel=0.03)
+    assert extent(ob) == pytest.approx((1, 1, 1))
+
+
+def test_animated_text_is_rendered(scene, render):
+    letter = text("I")
+    ob = sweep(contour=letter)
+    key(letter.data, "size", (1.0, 1.5, 2.0))
+    narrow, wide, widest = render()
+    assert (wide / narrow, widest / narrow) == pytest.approx((1.5**2, 2**2), rel=0.1)
+    assert extent(ob)[0] == pytest.approx(letter.dimensions.x, rel=1e-2)
+
+
+def test_animated_trajectory_object_takes_the_sweep_along(scene, render):
+    path = straight()
+    sweep(trajectory=path)
+    key(path, "location", ((0, 0, 0), (2, 0, 0), (5, 0, 0)))  # in the picture, half out of it, out of it
+    whole = np.pi / 4
+    assert render() == pytest.approx([whole, whole / 2, 0], abs=0.03)
+
+
+def test_a_refused_frame_renders_the_last_mesh(scene, render):
+    ob = sweep()
+    key(ob.data, "sweep.generalized_cylinder.contour_circle_radius", (0.5, 1.0, 0.0))
+    assert render() == pytest.approx([np.pi / 4, np.pi, np.pi], rel=0.03)
+    assert ob.data.sweep.error == "" and extent(ob) == pytest.approx((1, 1, 2))
+
+
+def test_a_still_of_another_frame_leaves_the_shown_one(scene, render, tmp_path):
+    ob = sweep()
+    key(ob.data, "sweep.generalized_cylinder.contour_circle_radius", (0.5, 1.0, 1.5))
+    scene.frame_set(2)
+    scene.render.filepath = str(tmp_path / "still")
+    bpy.ops.render.render(write_still=True)
+    assert area(tmp_path / "still.png") == pytest.approx(np.pi, rel=0.03)
+    assert parameters_of(ob).contour_circle_radius == 1 and extent(ob) == pytest.approx((2, 2, 2))
