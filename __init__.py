@@ -9,7 +9,7 @@ that have no Blender.
 from importlib import import_module
 
 # What registers, each part after those it stands on.
-PARTS = (".sweep_addon.properties", ".sweep_addon.batch.command", ".operators", ".panels")
+PARTS = (".sweep_addon.properties", ".sweep_addon.batch", ".operators", ".panels")
 
 
 def register():

@@ -14,19 +14,6 @@ from . import verbs
 from .export import MODELS, PICTURES
 
 DONE, FAILED, REFUSED = 0, 1, 2
-REGISTERED = []  # what Blender gave for the command, and wants back
-
-
-def register():
-    import bpy
-
-    REGISTERED.append(bpy.utils.register_cli_command("sweep", main))
-
-
-def unregister():
-    import bpy
-
-    bpy.utils.unregister_cli_command(REGISTERED.pop())
 
 
 class Parser(argparse.ArgumentParser):

@@ -10,13 +10,22 @@ Examples
 (6, 2)
 """
 
+from importlib import import_module
+
 from .circle import Circle
-from .fonts import from_text
 from .outline import Outline
 from .rectangle import Rectangle
 from .section import Section
-from .svg import from_svg
 
 Contour = Circle | Rectangle | Outline
 
 __all__ = ["Circle", "Contour", "Outline", "Rectangle", "Section", "from_svg", "from_text"]
+
+LATER = {"from_svg": ".svg", "from_text": ".fonts"}
+
+
+def __getattr__(name):
+    # Readers of files are loaded when they are asked for: most sweeps need neither.
+    if name not in LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(LATER[name], __package__), name)
