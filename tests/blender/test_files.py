@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files: a sweep saved and opened again, appended, linked, and read from the files of every past version."""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from scenes import curve, extent, parameters_of, places, square, straight, sweep
+from write_format import DATA, SHAPE
+
+import sweep_addon as sw
+from sweep_addon.bridge import meshes, objects
+from sweep_addon.core.forms import VERSION
+
+
+def update():
+    bpy.context.view_layer.update()
+
+
+@pytest.fixture
+def saved(scene, tmp_path):
+    """A file with a sweep of two curves whose radius has a driver, and one with keyframes."""
+    ob = sweep(trajectory=straight(), contour=square())
+    keyed = sweep()
+    keyed.name = keyed.data.name = "keyed"
+    for frame, radius in ((1, 0.5), (11, 2.5)):
+        parameters_of(keyed).contour_circle_radius = radius
+        parameters_of(keyed).keyframe_insert("contour_circle_radius", frame=frame)
+    scene.frame_set(1)
+    assert extent(ob) == pytest.approx((1, 1, 2))
+    path = tmp_path / "saved.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    return path
+
+
+def empty():
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+
+
+def follows_its_curves(ob):
+    """Whether a sweep follows what its trajectory and contour are now."""
+    group = parameters_of(ob)
+    group.trajectory_object.data.splines[0].points[1].co.z = 5
+    group.contour_object.scale.x = 3
+    update()
+    return extent(ob) == pytest.approx((3, 1, 5)) and ob.data.sweep.error == ""
+
+
+def test_reopened_file_is_written_by_nobody_and_still_live(saved, monkeypatch):
+    empty()
+    names, write = [], meshes.write
+    monkeypatch.setattr(meshes, "write", lambda mesh, *others: names.append(mesh.name) or write(mesh, *others))
+    bpy.ops.wm.open_mainfile(filepath=str(saved))
+    update()
+    assert names == [] and not any(mesh.sweep.edited or mesh.sweep.error for mesh in bpy.data.meshes)
+    bpy.context.scene.frame_set(6)
+    assert names == ["keyed"] and extent(bpy.data.objects["keyed"]) == pytest.approx((3, 3, 2))
+    assert follows_its_curves(bpy.data.objects["sweep"])
+
+
+def test_appended_object_brings_its_curves_and_is_live(saved):
+    empty()
+    bpy.ops.wm.append(directory=f"{saved}/Object/", filename="sweep")
+    ob = bpy.data.objects["sweep"]
+    update()
+    assert extent(ob) == pytest.approx((1, 1, 2))
+    assert follows_its_curves(ob)
+
+
+def test_linked_object_is_left_alone(saved):
+    empty()
+    with bpy.data.libraries.load(str(saved), link=True) as (_, here):
+        here.objects = ["sweep", "keyed"]
+    ob, keyed = here.objects
+    for linked in here.objects:
+        bpy.context.scene.collection.objects.link(linked)
+    update()
+    before = [places(linked.data) for linked in here.objects]
+    assert extent(ob) == pytest.approx((1, 1, 2))
+
+    for frame in (11, 1, 6):
+        bpy.context.scene.frame_set(frame)
+    ob.data.update_tag()
+    update()
+
+    for linked, mesh in zip(here.objects, before, strict=True):
+        assert np.array_equal(places(linked.data), mesh)
+        assert linked.data.sweep.error == "" and not linked.data.sweep.edited
+    assert not objects.is_editable_sweep(ob) and objects.is_sweep(ob)
+
+
+def test_linked_curve_is_an_input(saved):
+    empty()
+    with bpy.data.libraries.load(str(saved), link=True) as (_, here):
+        here.objects = ["path"]
+    bpy.context.scene.collection.objects.link(here.objects[0])
+    ob = sweep(trajectory=here.objects[0])
+    assert extent(ob) == pytest.approx((1, 1, 2)) and ob.data.sweep.error == ""
+
+
+def test_linked_sweep_made_local_is_live(saved):
+    empty()
+    bpy.ops.wm.link(directory=f"{saved}/Object/", filename="keyed")
+    ob = bpy.data.objects["keyed"]
+    bpy.ops.object.make_local(type="ALL")
+    update()
+    parameters_of(ob).trajectory_line_end = (0, 0, 7)
+    assert extent(ob) == pytest.approx((1, 1, 7))
+
+
+def test_version_of_the_parameters_is_in_the_file(scene):
+    """A default is not saved: a newer program would read an old file as one of its own version."""
+    assert VERSION == sweep().data.sweep.version
+    assert sweep().data.sweep.is_property_set("version")
+
+
+def test_every_parameter_is_in_the_file(scene):
+    """So a shape stays what it is when a default changes."""
+    group = parameters_of(sweep())
+    assert all(group.is_property_set(name) for name in ("scale_x", "scale_x_constant_value", "start", "samples"))
+
+
+def test_job_of_format_1_reads_as_it_was_meant():
+    assert sw.load(DATA / "format_1.toml") == SHAPE
+
+
+def test_blend_file_of_format_1_reads_as_it_was_meant_and_is_live(scene):
+    bpy.ops.wm.open_mainfile(filepath=str(DATA / "format_1.blend"))
+    numbers, curves = bpy.data.objects["numbers"], bpy.data.objects["curves"]
+    assert [mesh.sweep.version for mesh in bpy.data.meshes] == [1, 1]
+    assert sw.from_object(numbers) == SHAPE
+    assert numbers.data.sweep.error == "" and meshes.equal(numbers.data, SHAPE.mesh(dtype="f4"))
+    assert extent(curves) == pytest.approx((1, 1, 2))
+    assert follows_its_curves(curves)
+    bpy.context.scene.frame_set(11)
+    assert parameters_of(curves).twist_constant_value == pytest.approx(3)
+
+
+def test_weights_of_a_curve_survive_a_file(scene, tmp_path):
+    ring = curve("NURBS", np.c_[np.random.default_rng(5).normal(size=(6, 3)), [1, 2, 1, 3, 1, 2]], use_cyclic_u=True)
+    ob = sweep(trajectory=ring)
+    before = places(ob.data)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "ring.blend"))
+    empty()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "ring.blend"))
+    ob = bpy.data.objects["sweep"]
+    ob.data.sweep.made = ""  # so that it is made again
+    parameters_of(ob).contour_circle_points = parameters_of(ob).contour_circle_points
+    assert ob.data.sweep.made and np.array_equal(places(ob.data), before)
