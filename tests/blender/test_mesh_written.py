@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is written into a Blender mesh: the arrays of the shape, which Blender itself finds nothing wrong with."""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+import bmesh
+from scenes import places
+
+import sweep_addon as sw
+from sweep_addon.bridge import meshes
+from sweep_addon.core.joining import joined
+
+WASHER = sw.contours.Outline(loops=[[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.5, -0.5), (0.5, -0.5), (0, 0.5)]])
+LINE, HELIX, KNOT = sw.trajectories.Line(end=(0, 0, 2)), sw.trajectories.Helix(), sw.trajectories.TorusKnot()
+WIDE_KNOT = sw.trajectories.TorusKnot(major=9, minor=3)
+CORNER = sw.trajectories.Polyline([(0, 0, 0), (0, 0, 2), (0, 2, 2)])
+
+
+def shape(contour, trajectory, contours=40, **others):
+    return sw.GeneralizedCylinder(contour, trajectory, sw.sampling.Count(contours), **others)
+
+
+SHAPES = {
+    "tube": shape(sw.contours.Circle(0.2), HELIX),
+    "open at both ends": shape(sw.contours.Circle(0.2), LINE, start="open", end="open"),
+    "tips at both ends": shape(sw.contours.Circle(0.2), LINE, start="taper", end="taper"),
+    "cone by a law": shape(sw.contours.Rectangle(), LINE, scale_x="1 - t", scale_y="1 - t"),
+    "waist of a point": shape(sw.contours.Circle(0.2), LINE, scale_x="abs(2*t - 1)", scale_y="abs(2*t - 1)"),
+    "hole": shape(WASHER, LINE),
+    "hole, corner": shape(WASHER, CORNER),
+    "closed": shape(sw.contours.Circle(0.1), KNOT),
+    "closed with a hole": shape(WASHER, WIDE_KNOT, contours=1000),
+    "triangles": shape(sw.contours.Circle(0.2, points=3), LINE),
+}
+
+
+@pytest.fixture(params=SHAPES)
+def name(request, scene):
+    return request.param
+
+
+def mesh_of(shape):
+    return sw.to_object(shape).data
+
+
+def attribute(mesh, name, kind, count, dtype=np.float32):
+    values = np.empty(count * len(mesh.attributes[name].data), dtype)
+    mesh.attributes[name].data.foreach_get(kind, values)
+    return values.reshape(-1, count) if count > 1 else values
+
+
+def same_as_arrays(mesh, made):
+    """Assert that a Blender mesh holds every array of a mesh of arrays."""
+    assert np.array_equal(places(mesh), made.vertices.astype(np.float32))
+    assert attribute(mesh, ".corner_vert", "value", 1, np.int32).tolist() == made.corners.tolist()
+    assert [p.loop_start for p in mesh.polygons] == made.offsets[:-1].tolist()
+    assert [p.loop_total for p in mesh.polygons] == np.diff(made.offsets).tolist()
+    assert [tuple(e.vertices) for e in mesh.edges] == [tuple(pair) for pair in made.edges.tolist()]
+    assert [loop.edge_index for loop in mesh.loops] == made.topology.corner_edges.tolist()
+    assert [e.use_edge_sharp for e in mesh.edges] == made.topology.sharp.tolist()
+    assert [p.material_index for p in mesh.polygons] == made.topology.material.tolist()
+    assert [layer.name for layer in mesh.uv_layers] == ["UVMap"]
+    assert np.allclose(attribute(mesh, "UVMap", "vector", 2), made.uv, rtol=1e-5, atol=1e-6)
+    assert set(made.attributes) == {"u", "v", "arc_length"}
+    for key, values in made.attributes.items():
+        assert np.allclose(attribute(mesh, key, "value", 1), values, rtol=1e-5, atol=1e-6)
+
+
+def test_mesh_holds_every_array_of_the_shape(name):
+    mesh = mesh_of(SHAPES[name])
+    same_as_arrays(mesh, SHAPES[name].mesh(dtype=np.float32))
+    assert len(mesh.materials) == 2
+    assert {p.material_index for p in mesh.polygons} <= {0, 1}
+
+
+def test_blender_finds_nothing_to_repair(name):
+    mesh = mesh_of(SHAPES[name])
+    assert not mesh.validate(verbose=True)
+    assert not any(e.is_loose for e in mesh.edges)
+
+
+def test_edges_are_those_that_blender_finds(name):
+    """`update(calc_edges=True)` is what the analytic edges save."""
+    mesh = mesh_of(SHAPES[name])
+    found = bpy.data.meshes.new("found")
+    found.from_pydata(places(mesh).tolist(), [], [list(p.vertices) for p in mesh.polygons])
+    assert {frozenset(e.vertices) for e in mesh.edges} == {frozenset(e.vertices) for e in found.edges}
+    assert len(mesh.edges) == len(found.edges)
+
+
+def test_faces_look_outwards_and_enclose_the_volume_of_the_shape(name):
+    """bmesh sums a signed tetrahedron for each triangle of its own triangulation."""
+    if "open" in name:
+        pytest.skip("an open surface encloses nothing")
+    measured = bmesh.new()
+    measured.from_mesh(mesh_of(SHAPES[name]))
+    assert all(edge.is_manifold and edge.is_contiguous for edge in measured.edges)
+    assert measured.calc_volume(signed=True) == pytest.approx(SHAPES[name].mesh().volume(), rel=2e-3)
+    assert measured.calc_volume(signed=True) > 0
+    measured.free()
+
+
+def test_one_mesh_becomes_each_of_the_others_and_itself_again(scene):
+    mesh = bpy.data.meshes.new("many")
+    known = "", ""
+    for each in [*SHAPES, *reversed(SHAPES)]:
+        made = SHAPES[each].mesh(dtype=np.float32)
+        *known, _ = meshes.write(mesh, made, *known)
+        same_as_arrays(mesh, made)
+        assert not mesh.validate()
+
+
+def test_where_only_places_change_only_they_are_written(scene, monkeypatch):
+    mesh, written = mesh_of(SHAPES["closed"]), []
+    before = places(mesh)
+    monkeypatch.setattr(meshes, "write_topology", lambda *_: written.append("topology"))
+    monkeypatch.setattr(meshes, "attribute", lambda mesh, name, *_: written.append(name))
+    mesh.sweep.generalized_cylinder.twist_constant_value = 0.1
+    assert written == [] and not np.array_equal(places(mesh), before)
+
+
+def test_tubes_along_several_splines_are_one_valid_mesh(scene):
+    parts = [SHAPES[name].mesh(dtype=np.float32) for name in ("tube", "hole", "tips at both ends")]
+    mesh, made = bpy.data.meshes.new("several"), joined(parts)
+    meshes.write(mesh, made)
+    same_as_arrays(mesh, made)
+    assert not mesh.validate()
+
+
+def test_attribute_of_a_person_in_the_way_is_replaced_and_others_stay(scene):
+    ob = sw.to_object(SHAPES["tube"])
+    ob.data.attributes.remove(ob.data.attributes["u"])
+    ob.data.attributes.new("u", "INT", "FACE")
+    ob.data.attributes.new("weight", "FLOAT", "POINT")
+    ob.data.sweep.generalized_cylinder.trajectory_helix_pitch = 2
+    same_as_arrays(ob.data, sw.from_object(ob).mesh(dtype=np.float32))
+    assert "weight" in ob.data.attributes
+
+
+def test_large_mesh_changes_its_mark_when_any_stretch_of_it_moves(scene):
+    """Only a sample is read where there are many vertices."""
+    mesh = mesh_of(shape(sw.contours.Circle(0.2), HELIX, contours=4000))
+    before = meshes.mark(mesh)
+    assert len(mesh.vertices) > 200_000 and before == mesh.sweep.mark
+    moved = places(mesh)
+    moved[100_000:100_020] += 0.1
+    mesh.attributes["position"].data.foreach_set("vector", moved.astype(np.float32).ravel())
+    assert meshes.mark(mesh) != before
