@@ -8,11 +8,13 @@ point, by which an edge may come to meet another one; so the splitting is repeat
 
 import numpy as np
 
-from ..parameters import ShapeError
+from ..parameters import ShapeError, require
 from .crossing import overlapping_boxes
 
 CELLS = 1 << 22  # along the longer side: a cell is below single precision, a product of two lengths below 2**53
 ROUNDS = 30
+MOST_PIECES = 250_000
+MOST_MEETINGS = 2_000_000
 
 
 def arrangement(start, end):
@@ -49,13 +51,16 @@ def arrangement(start, end):
             return start, end, edge
         start, end, piece_of = split(start, end, which, places)
         edge = edge[piece_of]
+        require(len(start) <= MOST_PIECES, f"must have overlaps of at most {MOST_PIECES} pieces", len(start))
     raise ShapeError("must have paths whose overlaps can be resolved, got some that cross too often")
 
 
 def meetings(start, end):
     """Which edges have to be split and where, as (c,) ints and (c, 2) grid points."""
-    which, places = [np.zeros(0, dtype=int)], [np.zeros((0, 2))]
+    which, places, met = [np.zeros(0, dtype=int)], [np.zeros((0, 2))], 0
     for pairs in overlapping_boxes(np.minimum(start, end), np.maximum(start, end)):
+        met += len(pairs)
+        require(met <= MOST_MEETINGS, f"must overlap at no more than {MOST_MEETINGS} pairs of edges", met)
         i, j = pairs.T
         a, b, c, d = start[i], end[i], start[j], end[j]
         sides = [side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)]

@@ -13,6 +13,8 @@ MOST_WINDINGS = 20_000_000
 THIN = 2  # cells: a filled sliver or a gap of less mean width is a rounding of the file's numbers
 APART = 16  # cells by which loops that meet in a point are drawn back from it
 
+QUARTER_TURN = np.array([[0.0, 1.0], [-1.0, 0.0]])  # so that fewest pieces are level with a place: a line of text is
+
 
 def filled(loops, figure, even_odd):
     """Loops around the area that figures fill together.
@@ -57,7 +59,10 @@ def filled(loops, figure, even_odd):
     if not some.any():
         return []
     start, end, edge = arrangement(start[some], end[some])
-    start, end = boundary(start, end, figure[loop_of(offsets)][some][edge], even_odd)
+    crowd = np.abs(end - start).sum(axis=0) / np.maximum(np.ptp(start, axis=0), 1)
+    turn = QUARTER_TURN if crowd[0] < crowd[1] else np.eye(2)
+    start, end = boundary(start @ turn, end @ turn, figure[loop_of(offsets)][some][edge], even_odd)
+    start, end = start @ turn.T, end @ turn.T
     return [origin + cell * loop for loop in traced(start, end) if wide(loop)]
 
 

@@ -4,14 +4,14 @@
 
 import numpy as np
 
+from .crossing import overlapping_boxes
 from .loops import following
 from .orientation import orientation
-
-TESTS_AT_ONCE = 1 << 21  # bounds the memory, not the work
+from .ranges import ranges
 
 
 def nesting(points, offsets):
-    """Tell for every pair of loops that do not meet whether the first lies in the second.
+    """Find, of loops that do not meet, those that lie in others.
 
     Parameters
     ----------
@@ -22,32 +22,34 @@ def nesting(points, offsets):
 
     Returns
     -------
-    (k, k) bool array
-        Entry ``[i, j]``: loop ``i`` lies in loop ``j``. The sum of a row is the depth of its loop: even-odd, loops
-        of an even depth bound islands, those of an odd depth holes.
+    (c, 2) int array
+        All pairs of a loop and one that it lies in. How often a loop comes first is its depth: even-odd, loops of an
+        even depth bound islands, those of an odd depth holes.
 
     Examples
     --------
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    >>> nesting(np.concatenate([square * 4, square + 1]), np.array([0, 4, 8])).astype(int).tolist()
-    [[0, 0], [1, 0]]
+    >>> nesting(np.concatenate([square * 4, square + 1]), np.array([0, 4, 8])).tolist()
+    [[1, 0]]
     """
-    firsts = offsets[:-1]
-    inside = np.concatenate(
-        [inside_loops(points[some], points, offsets) for some in np.array_split(firsts, portions(len(firsts), points))]
-    )
-    np.fill_diagonal(inside, False)
-    return inside
+    low, high = np.minimum.reduceat(points, offsets[:-1]), np.maximum.reduceat(points, offsets[:-1])
+    found = [np.zeros((0, 2), dtype=int)]
+    for pairs in overlapping_boxes(low, high):
+        pairs = np.concatenate([pairs, pairs[:, ::-1]])
+        inner, outer = pairs.T
+        pairs = pairs[((low[inner] > low[outer]) & (high[inner] < high[outer])).all(axis=1)]
+        found.append(pairs[inside(points[offsets[pairs[:, 0]]], pairs[:, 1], points, offsets)])
+    return np.concatenate(found)
 
 
-def portions(tests, points):
-    return min(tests, 1 + tests * len(points) // TESTS_AT_ONCE)
-
-
-def inside_loops(places, points, offsets):
-    """Tell for (p, 2) places and k loops, as (p, k) bool, which lie in which: an odd number of edges to the right."""
-    start, end = points, points[following(offsets)]
-    above = start[:, 1] > places[:, 1:]
-    straddles = above != (end[:, 1] > places[:, 1:])
-    left = orientation(start, end, places[:, None]) > 0
-    return np.bitwise_xor.reduceat(straddles & (left == ~above), offsets[:-1], axis=1)
+def inside(places, loops, points, offsets):
+    """Tell which of (p, 2) places lie in one loop each, (p,): those with an odd number of its edges to the right."""
+    after = following(offsets)
+    passed = np.zeros(len(places), dtype=int)
+    for i, edge in ranges(offsets[loops], np.diff(offsets)[loops]):
+        start, end = points[edge], points[after[edge]]
+        upward = end[:, 1] > start[:, 1]
+        straddles = (start[:, 1] > places[i, 1]) != (end[:, 1] > places[i, 1])
+        left = orientation(start, end, places[i]) > 0
+        passed += np.bincount(i[straddles & (left == upward)], minlength=len(places))
+    return passed % 2 == 1

@@ -17,11 +17,13 @@ from .section import Section
 
 @contextmanager
 def about(subject):
-    """Begin a refusal with what it is about: the file, or the text."""
+    """Begin a refusal that names no parameter with what it is about: the file, or the text."""
     try:
         yield
     except ShapeError as error:
-        raise ShapeError(f"{subject} {error.sentence}", error.key) from error.__cause__
+        if error.key:
+            raise
+        raise ShapeError(f"{subject} {error.sentence}") from error.__cause__
 
 
 def library(name, package):
@@ -55,4 +57,5 @@ def outline(paths, figure, even_odd, tolerance, centred):
     begins = np.cumsum([0, *(len(path) for path in paths)])[:-1]
     loops = filled(np.split(points, first[begins[1:]]), np.asarray(figure), np.asarray(even_odd))
     require(loops, "must fill an area", 0.0)
-    return Outline(loops=[loop - (Section.from_loops(loops).centroid if centred else 0.0) for loop in loops])
+    centre = Section.from_loops(loops).centroid if centred else np.zeros(2)
+    return Outline(loops=[loop - centre for loop in loops])

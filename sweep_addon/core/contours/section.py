@@ -72,8 +72,7 @@ class Section:
         section = cls(*without_coincident(points, offsets, flags))
         require_area(section.points, section.offsets)
         require_apart(section.points, section.offsets)
-        hole = nesting(section.points, section.offsets).sum(axis=1) % 2 == 1
-        section = section.reversed(hole == (section.areas > 0))
+        section = section.reversed((section.depth % 2 == 1) == (section.areas > 0))
         return section if sharp is not None else replace(section, sharp=np.abs(section.turns) > SHARP)
 
     @cached_property
@@ -132,13 +131,24 @@ class Section:
         return turns
 
     @cached_property
+    def nesting(self):
+        """(c, 2) int array: all pairs of a loop and one that it lies in."""
+        return nesting(self.points, self.offsets)
+
+    @cached_property
+    def depth(self):
+        """(k,) int array: in how many other loops each lies; odd for holes."""
+        return np.bincount(self.nesting[:, 0], minlength=len(self.offsets) - 1)
+
+    @cached_property
     def islands(self):
         """Tuple of tuples of loop numbers: each island's outer loop, then its holes."""
-        inside = nesting(self.points, self.offsets)
-        depth = inside.sum(axis=1)
-        around = inside & (depth[None] == depth[:, None] - 1)
-        outer = np.flatnonzero(depth % 2 == 0)
-        return tuple((int(i), *(int(j) for j in np.flatnonzero(around[:, i]))) for i in outer)
+        inner, outer = self.nesting[self.depth[self.nesting[:, 1]] == self.depth[self.nesting[:, 0]] - 1].T
+        holes = {int(i): [] for i in np.flatnonzero(self.depth % 2 == 0)}
+        for i, j in sorted(zip(outer.tolist(), inner.tolist(), strict=True)):
+            if i in holes:
+                holes[i].append(j)
+        return tuple((i, *inside) for i, inside in holes.items())
 
     def translated(self, vector):
         """The section moved by a vector of (2,) metres."""

@@ -53,30 +53,31 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
     require(0 < scale < np.inf, "must be more than 0", float(scale), "scale")
     data, subject = content(text_or_path)
     with about(subject):
-        figures = drawn_figures(tree(data))
-        paths = [scale * path * (1, -1) for figure in figures for path in figure[0]]
+        with np.errstate(all="ignore"):
+            figures = drawn_figures(*tree(data))
+        paths = [scale * path * (1, -1) for paths, _ in figures for path in paths]
         figure = np.repeat(np.arange(len(figures)), [len(paths) for paths, _ in figures])
-        require(paths, "must fill at least one path", "none")
         return outline(paths, figure, [rule == "evenodd" for _, rule in figures], tolerance, centred)
 
 
-def drawn_figures(root):
+def drawn_figures(root, width, height):
     """What a document fills, in its own units: for each shape its paths of (n, 4, 2) cubics, and its fill rule."""
     svgelements = library("svgelements", "svgelements")
     text = io.BytesIO(ElementTree.tostring(root))
     try:
-        drawing = svgelements.SVG.parse(text, reify=False)
-        shapes = [shape for shape in drawing.elements() if is_filled(svgelements, shape)]
-        return [(paths_of(svgelements, shape), shape.values.get("fill-rule")) for shape in shapes]
-    except ShapeError:
-        raise
+        drawing = svgelements.SVG.parse(text, reify=False, width=width, height=height)
+        shapes = [shape for shape in drawing.elements() if isinstance(shape, svgelements.Shape)]
+        shapes = [(shape, paths_of(svgelements, shape)) for shape in shapes]
     except Exception as error:  # the parser meets wrong numbers, units and colours in ways of its own
-        raise ShapeError(f"cannot be understood: {error}") from error
+        raise ShapeError(f"has something that cannot be understood: {error}") from error
+    shapes = [(shape, paths) for shape, paths in shapes if paths]
+    figures = [(paths, shape.values.get("fill-rule")) for shape, paths in shapes if is_filled(shape)]
+    if not figures:
+        raise ShapeError(f"must fill at least one path, got {'only unfilled ones' if shapes else 'none'}")
+    return figures
 
 
-def is_filled(svgelements, shape):
-    if not isinstance(shape, svgelements.Shape) or isinstance(shape, svgelements.SimpleLine):
-        return False
+def is_filled(shape):
     hidden = shape.values.get("visibility") in ("hidden", "collapse")
     return not hidden and shape.values.get("fill") not in ("none", "transparent")
 
@@ -90,7 +91,7 @@ def paths_of(svgelements, shape):
                 closing = cubics_from_lines([(cubics[-1][-1][3], cubics[0][0][0])])
                 paths.append(np.concatenate([*cubics, closing]))
             cubics = []
-        else:
+        elif segment.start and segment.end:
             cubics.append(cubics_of(svgelements, segment))
     m = shape.transform
     return [path @ np.array([(m.a, m.b), (m.c, m.d)]) + (m.e, m.f) for path in paths]

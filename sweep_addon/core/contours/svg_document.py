@@ -34,7 +34,9 @@ def content(text_or_path):
 
 
 def tree(data):
-    """The root element of a document in which lengths are its own units, without what is never seen.
+    """The root element of a document, without what is never seen, and the width and height that percentages are of.
+
+    It has lost its viewport, so that its lengths are in the drawing's own units.
 
     Raises
     ------
@@ -54,7 +56,7 @@ def tree(data):
     require(plain(root) == "svg", "must have an svg element at its root", plain(root))
     Uses(root).measured(root)
     hide(root)
-    return root
+    return root, *own_size(root)
 
 
 def checked(data):
@@ -126,5 +128,15 @@ def hide(root):
                 wrapper.append(element)
                 parent.remove(element)
                 parent.insert(i, wrapper)
-    for key in ("width", "height", "viewBox", "preserveAspectRatio", "x", "y"):
-        root.attrib.pop(key, None)
+
+
+def own_size(root):
+    """Width and height of the drawing in its own units; takes the viewport off it."""
+    viewport = {
+        key: root.attrib.pop(key, "") for key in ("viewBox", "width", "height", "preserveAspectRatio", "x", "y")
+    }
+    box = viewport["viewBox"].replace(",", " ").split()
+    try:
+        return tuple(float(x) for x in (box[2:4] if len(box) == 4 else (viewport["width"], viewport["height"])))
+    except ValueError:
+        return 1000.0, 1000.0
