@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a property that is set to the mesh that Blender shows, beside other ways to the same tube."""
+
+import numpy as np
+from measuring import medians, short, table, tell, verdict
+from peers import Bevel, CurveToMesh, FromPydata, curve, evaluated, ring, trimesh_sweep
+
+from bl_ext.user_default import sweep_addon as sw
+
+SIZES = {(1_000, 32): 60, (10_000, 64): 15}  # contours and points: rounds
+NODE, TEXTURED = "Curve to Mesh node, no UVs", "Curve to Mesh node, UVs in true lengths"
+TWIST, NEW = "twist", "new topology, with UVs and attributes"
+PYDATA, TRIMESH = "`from_pydata`, places and faces known beforehand", "trimesh `sweep_polygon`, not in Blender"
+INTRODUCTION = """
+### Live update
+
+A tube along a helix of 5 turns, from a property that is set to the mesh that Blender shows: milliseconds, and how many
+times that of Blender's own node in the same run. The measurements take turns; medians of {rounds} rounds. Every round
+sets a new value. The node always makes everything anew; its usual set-up with UVs stands beside the bare node, since a
+radius and a pitch change this project's UVs too.
+"""
+
+
+def measured(contours, points, rounds):
+    """The median milliseconds of every way to change a tube of that size."""
+    tube = sw.GeneralizedCylinder(
+        contour=sw.contours.Circle(0.1, points=points),
+        trajectory=sw.trajectories.Helix(),
+        samples=sw.sampling.Count(contours),
+    )
+    path = tube.trajectory.evaluate(np.linspace(*tube.trajectory.domain, contours))
+    lawful = sw.GeneralizedCylinder(tube.contour, tube.trajectory, tube.samples, scale_x="1 + t")
+    node, textured = (CurveToMesh(curve(path), points, texture=texture) for texture in (False, True))
+    bevel, written, swept = Bevel(path, points), FromPydata(tube.mesh()), trimesh_sweep()
+    actions = {
+        TWIST: setter(tube, "twist_constant_value", lambda i: 0.01 * i),
+        "radius of the contour, with UVs": setter(tube, "contour_circle_radius", lambda i: 0.1 + 0.001 * i),
+        "pitch of the trajectory, with UVs": setter(tube, "trajectory_helix_pitch", lambda i: 0.5 + 0.001 * i),
+        "formula of a scale, with UVs": setter(lawful, "scale_x_formula_text", lambda i: f"1 + 0.001*{i}*t"),
+        NEW: setter(tube, "samples_count_contours", lambda i: contours - i),
+        NODE: lambda i: node.set_radius(0.1 + 0.001 * i),
+        TEXTURED: lambda i: textured.set_radius(0.1 + 0.001 * i),
+        "Curve bevel, with UVs by sample number": lambda i: bevel.set_radius(0.1 + 0.001 * i),
+        PYDATA: written.write,
+    }
+    if swept:
+        corners = ring(0.1, points)
+        actions[TRIMESH] = lambda i: swept((1 + 0.001 * i) * corners, path)
+    same_size = {len(node.mesh().vertices), len(textured.mesh().vertices), len(written.places)}
+    assert same_size == {contours * points}, same_size
+    return {TRIMESH: None} | medians(actions, rounds)
+
+
+def setter(tube, name, value):
+    """Sets a property of a live object of its own to a new value in each round, and asks for the mesh."""
+    ob = sw.to_object(tube)
+    group = ob.data.sweep.generalized_cylinder
+
+    def action(number):
+        setattr(group, name, value(number))
+        evaluated(ob)
+
+    return action
+
+
+def rows(results):
+    """The rows of the table: for each size milliseconds and the ratio to the node."""
+    names = [name for name in results[0] if name != TRIMESH]
+    for name in [*names, TRIMESH]:
+        row = [name]
+        for times in results:
+            taken = times[name]
+            row += ["not installed", ""] if taken is None else [short(taken), short(taken / times[NODE])]
+        yield row
+
+
+def targets(times):
+    """What was asked for at the large size."""
+    yield f"- {TWIST} to the node: {verdict(times[TWIST] / times[NODE], 1)}"
+    yield f"- {NEW} to the node: {verdict(times[NEW] / times[NODE], 8)}"
+    for name in (PYDATA, TRIMESH):
+        if times[name] is not None:
+            yield f"- {TWIST} to {name}: {verdict(times[TWIST] / times[name], 0.1)}"
+
+
+def main():
+    results = [measured(*size, rounds) for size, rounds in SIZES.items()]
+    titles = [""]
+    for contours, points in SIZES:
+        titles += [f"{contours:,} x {points}, ms", "to the node"]
+    introduction = INTRODUCTION.format(rounds=" and ".join(map(str, SIZES.values())))
+    page = (introduction, table(titles, rows(results)), "\nTargets at the large size:\n", *targets(results[-1]))
+    tell("\n".join(page))
+
+
+main()

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Medians of things measured in turns, and the tables that show them."""
+
+import statistics
+import sys
+import time
+from pathlib import Path
+
+
+def medians(actions, repeats):
+    """The median milliseconds of each action.
+
+    Parameters
+    ----------
+    actions : dict of callables
+        Each takes the number of the round, so that it can do something new in every round.
+    repeats : int
+        Rounds that count; one before them does not.
+
+    Returns
+    -------
+    dict of float
+
+    The actions take turns, so that whatever else the machine is doing falls on all of them alike.
+    """
+    taken = {name: [] for name in actions}
+    for number in range(repeats + 1):
+        for name, action in actions.items():
+            start = time.perf_counter()
+            action(number)
+            taken[name].append(1000 * (time.perf_counter() - start))
+    return {name: statistics.median(times[1:]) for name, times in taken.items()}
+
+
+def table(titles, rows):
+    """A Markdown table; all columns but the first are numbers and stand to the right."""
+    lines = [titles, ["---", *["---:"] * (len(titles) - 1)], *rows]
+    return "\n".join(f"| {' | '.join(map(str, line))} |" for line in lines)
+
+
+def short(number):
+    """A number in three digits: 1,234, 12.3, 0.123."""
+    digits = 0 if abs(number) >= 100 else 1 if abs(number) >= 10 else 2 if abs(number) >= 1 else 3
+    return f"{number:,.{digits}f}"
+
+
+def verdict(value, target, unit=""):
+    """What was asked for, and whether it was reached."""
+    return f"at most {target:g}{unit}: {'reached' if value <= target else 'missed'}"
+
+
+def tell(text):
+    """Write a section of the page into the file that `scripts/bench` names."""
+    Path(sys.argv[sys.argv.index("--") + 1]).write_text(text.strip() + "\n")
