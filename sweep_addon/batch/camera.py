@@ -4,6 +4,8 @@
 
 import numpy as np
 
+NEAREST = 0.5  # of the shape's size: how near the camera may come to it
+
 
 def axes(azimuth, elevation):
     """The camera's axes as rows: to the right, up, and away from it, (3, 3) float array.
@@ -35,10 +37,11 @@ def fit(points, axes, slopes):
 
     Each side of the picture is a plane through the camera that must have all points on one side. Of the planes in
     their directions, those that touch the points meet in a line for left and right, and one for top and bottom:
-    the farther of the two lines says how far away the camera stands.
+    the farther of the two lines says how far away the camera stands. A shape that points at the camera is not met.
     """
     right, up, away = axes @ np.asarray(points, dtype=float).T
-    place, distance = [], np.inf
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    place, distance = [], away.min() - NEAREST * size
     for coordinate, slope in ((right, slopes[0]), (up, slopes[1])):
         above, below = (coordinate - slope * away).max(), (-coordinate - slope * away).max()
         place.append((above - below) / 2)

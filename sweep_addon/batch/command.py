@@ -11,7 +11,7 @@ import sys
 
 from ..core.parameters import ShapeError
 from . import verbs
-from .export import MODELS, PICTURES
+from .export import MODELS, PICTURES, silent
 
 DONE, FAILED, REFUSED = 0, 1, 2
 
@@ -67,6 +67,9 @@ def main(arguments):
     int
         The exit code.
     """
+    if "bpy" in sys.modules:
+        with silent():  # without Blender's greeting, which waits to be sent
+            pass
     try:
         told = parser().parse_args(arguments)
         told.arguments = arguments

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Export: files written whole or not at all, in the formats that Blender writes."""
 
+import ctypes
+import io
 import os
 import shutil
 import sys
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 
 from ..core.parameters import ShapeError, require
@@ -38,7 +40,8 @@ def save_obj(path):
 def save_ply(path):
     import bpy
 
-    bpy.ops.wm.ply_export(filepath=path, export_selected_objects=True, check_existing=False)
+    # texture coordinates would tear the surface open along their seams: this format has them at vertices only
+    bpy.ops.wm.ply_export(filepath=path, export_selected_objects=True, export_uv=False, check_existing=False)
 
 
 MODELS = {".blend": save_blend, ".glb": save_glb, ".stl": save_stl, ".obj": save_obj, ".ply": save_ply}
@@ -84,14 +87,15 @@ def whole(output):
 
 @contextmanager
 def silent():
-    """Keep what Blender prints off standard output, which is for results."""
+    """Keep what Blender prints off standard output, which is for results; also what it has printed and not sent yet."""
     sys.stdout.flush()
     kept, nothing = os.dup(1), os.open(os.devnull, os.O_WRONLY)
     try:
         os.dup2(nothing, 1)
-        yield
+        with redirect_stdout(io.StringIO()):  # operators print by way of Python
+            yield
     finally:
-        sys.stdout.flush()
+        ctypes.CDLL("ucrtbase" if sys.platform == "win32" else None).fflush(None)
         os.dup2(kept, 1)
         os.close(kept)
         os.close(nothing)

@@ -28,7 +28,7 @@ class Text:
 
     text: str = parameter("", "The letters")
     font: str = parameter("", "Path of a .ttf or .otf file, relative to the job")
-    size: float = length(1.0, "Height of a line")
+    size: float = length(1.0, "Size of the font, about the distance between lines of a page")
 
 
 def resolve(declared, table, folder):
@@ -81,7 +81,7 @@ def read(reference, is_contour, folder):
     require(kind in ((".svg", ".blend") if is_contour else (".blend",)), told(is_contour), reference.file, "file")
     if kind == ".svg":
         with at("file"):
-            return scaled(contours.from_svg(path), reference.scale), path
+            return contours.from_svg(path, scale=reference.scale), path
     require(reference.object, "must name an object of the .blend file", reference.object, "object")
     require(find_spec("bpy") is not None, "needs Blender to be read", reference.file, "file")
     from ..bridge import files

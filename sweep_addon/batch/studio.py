@@ -23,12 +23,18 @@ def paint(mesh, render):
         mesh.materials.append(None)  # clear() would forget which faces are ends
     for slot, (name, colour) in enumerate((("Side", render.side), ("Caps", render.caps))):
         material = bpy.data.materials.new(name)
-        material.use_nodes = True
-        surface = material.node_tree.nodes["Principled BSDF"].inputs
+        surface = tree(material).nodes["Principled BSDF"].inputs
         surface["Base Color"].default_value = material.diffuse_color = (*linear(colour), 1.0)
         surface["Metallic"].default_value = material.metallic = render.metallic
         surface["Roughness"].default_value = material.roughness = render.roughness
         mesh.materials[slot] = material
+
+
+def tree(data):
+    """The nodes of a material or world; Blender 5 makes them with it."""
+    if data.node_tree is None:
+        data.use_nodes = True
+    return data.node_tree
 
 
 def linear(colour):
@@ -68,9 +74,8 @@ def linked(scene, name, data):
 def surround(scene, background):
     """A world that lights as a sky does, and is seen as the background's plain colour."""
     world = scene.world = bpy.data.worlds.new("World")
-    world.use_nodes = True
     world.color = linear(background)
-    nodes, links = world.node_tree.nodes, world.node_tree.links
+    nodes, links = tree(world).nodes, tree(world).links
     nodes.clear()
     sky, seen, mixed = (
         nodes.new(kind) for kind in ("ShaderNodeBackground", "ShaderNodeBackground", "ShaderNodeMixShader")
@@ -98,8 +103,7 @@ def lay_ground(scene, place, radius, background):
 def fading(colour, radius):
     """A material of the ground: opaque under the shape, transparent six radii away."""
     material = bpy.data.materials.new("Ground")
-    material.use_nodes = True
-    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes, links = tree(material).nodes, tree(material).links
     surface = nodes["Principled BSDF"].inputs
     surface["Base Color"].default_value = (*colour, 1.0)
     surface["Roughness"].default_value = 0.9

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A job file is read with its references and its picture, or refused with file, line and key."""
 
+import importlib.util
 import os
 from pathlib import Path
 
@@ -12,7 +13,6 @@ from hypothesis import strategies as st
 import sweep_addon as sw
 from sweep_addon.batch import job as jobs
 from sweep_addon.batch.references import resolve
-from sweep_addon.core import contours
 from sweep_addon.core.parameters import ShapeError, parameters
 from sweep_addon.core.shapes import GeneralizedCylinder
 
@@ -91,7 +91,7 @@ def test_the_digest_says_what_the_job_says(tmp_path):
     assert other.render == jobs.Render(width=100)
 
 
-needs_svg = pytest.mark.skipif(not hasattr(contours, "from_svg"), reason="needs outlines from SVG")
+needs_svg = pytest.mark.skipif(importlib.util.find_spec("svgelements") is None, reason="needs the library svgelements")
 
 
 @needs_svg

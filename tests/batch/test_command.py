@@ -1,0 +1,223 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line: results on standard output, one sentence on standard error, and the right exit code."""
+
+import importlib.util
+import json
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import sweep_addon as sw
+from sweep_addon.batch import verbs
+from sweep_addon.batch.command import main
+
+CHECKOUT = Path(__file__).parents[2]
+TUBE = sw.GeneralizedCylinder(
+    contour=sw.contours.Rectangle(width=0.5, height=0.25),
+    trajectory=sw.trajectories.Line(end=(0, 0, 2)),
+    scale_x="1 - t/2",
+)
+SMALL = "\n[render]\nwidth = 160\nheight = 120\nsamples = 1\ntransparent = true\nmargin = 0.1\n"
+
+
+@pytest.fixture
+def job(tmp_path):
+    path = tmp_path / "tube.toml"
+    path.write_text(sw.dump(TUBE) + SMALL)
+    return path
+
+
+def test_check_answers_for_each_job(tmp_path, job, capsys):
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(sw.dump(TUBE).replace("width = 0.5", "width = -0.5"))
+    bad_law = tmp_path / "law.toml"
+    bad_law.write_text(sw.dump(TUBE).replace('"1 - t/2"', '"1/t"'))
+    assert main(["check", str(job)]) == 0
+    vertices = len(TUBE.mesh().vertices)
+    assert capsys.readouterr().out.startswith(f"{job}: {vertices:,} vertices and ")
+    assert main(["check", str(wrong), str(job), str(bad_law)]) == 2
+    told = capsys.readouterr()
+    line = wrong.read_text().split("\n").index("width = -0.5") + 1
+    first, second = told.err.splitlines()
+    assert first == f"{wrong}:{line}: contour.width: must be more than 0, got -0.5"
+    assert second.startswith(f"{bad_law}:3: scale_x: must be finite everywhere, got inf at ")
+    assert told.out.startswith(str(job))
+
+
+def test_describe_tells_units_limits_and_defaults(capsys):
+    assert main(["describe", "generalized-cylinder"]) == 0
+    told = capsys.readouterr().out
+    assert "contour(circle).radius = 0.1\n" in told and "number; m, more than 0\n" in told
+    assert main(["describe"]) == main(["describe", "circle"]) == main(["describe", "render"]) == 0
+    capsys.readouterr()
+    assert main(["describe", "--schema"]) == 0
+    assert json.loads(capsys.readouterr().out)["title"] == "Sweep job"
+
+
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    {
+        (): "sweep: the following arguments are required: VERB",
+        ("squeeze",): "sweep: argument VERB: invalid choice: 'squeeze'",
+        ("build", "a.toml"): "sweep build: one of the arguments -o/--output -d/--output-dir is required",
+        ("check",): "sweep check: the following arguments are required: JOB",
+        ("check", "no.toml"): "no.toml: must be a job file that exists",
+        ("describe", "tube"): "SHAPE: must be one of generalized-cylinder, ",
+    }.items(),
+)
+def test_bad_input_is_one_sentence_and_exit_code_2(arguments, sentence, capsys):
+    assert main(list(arguments)) == 2
+    told = capsys.readouterr()
+    assert told.err.startswith(sentence) and told.err.count("\n") == 1 and not told.out
+
+
+@pytest.mark.skipif(importlib.util.find_spec("bpy") is not None, reason="this host has Blender")
+@pytest.mark.parametrize("verb", ["build", "render"])
+def test_without_blender_the_way_to_it_is_told(verb, job, capsys):
+    assert main([verb, str(job), "--output", "a.glb"]) == 1
+    told = capsys.readouterr().err
+    assert told.startswith("This needs Blender: ") and "pip install" in told and told.count("\n") == 1
+
+
+def test_help_is_a_result(capsys):
+    assert main(["render", "--help"]) == 0
+    told = capsys.readouterr()
+    assert "--frame" in told.out and not told.err
+
+
+def test_python_runs_the_library_as_a_program(job):
+    done = subprocess.run(
+        [sys.executable, "-m", "sweep_addon", "check", str(job)], cwd=CHECKOUT, capture_output=True, text=True
+    )
+    if "No module named" in done.stderr:
+        pytest.skip("this host's Python is started by Blender alone")
+    assert (done.returncode, done.stderr) == (0, "") and done.stdout.startswith(str(job))
+
+
+def signed_volume(triangles):
+    a, b, c = triangles.transpose(1, 0, 2)
+    return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+
+
+def stl_triangles(data):
+    (count,) = struct.unpack_from("<I", data, 80)
+    assert len(data) == 84 + 50 * count
+    records = np.frombuffer(data, np.uint8, offset=84).reshape(count, 50)
+    return records[:, 12:48].copy().view("<f4").reshape(count, 3, 3).astype(float)
+
+
+def obj_vertices(data):
+    lines = (line.split() for line in data.decode().splitlines())
+    return np.array([line[1:4] for line in lines if line[:1] == ["v"]], dtype=float)
+
+
+def glb_bounds(data):
+    magic, version, length = struct.unpack_from("<4sII", data)
+    assert (magic, version, length) == (b"glTF", 2, len(data))
+    (size,) = struct.unpack_from("<I", data, 12)
+    document = json.loads(data[20 : 20 + size])
+    found = [primitive["attributes"]["POSITION"] for mesh in document["meshes"] for primitive in mesh["primitives"]]
+    accessors = [document["accessors"][index] for index in found]
+    return np.min([a["min"] for a in accessors], axis=0), np.max([a["max"] for a in accessors], axis=0), document
+
+
+def built(job, suffix, capfd):
+    output = job.with_suffix(suffix)
+    assert main(["build", str(job), "--output", str(output)]) == 0
+    assert capfd.readouterr().out == f"{output}\n"
+    assert not list(job.parent.glob("*.part"))
+    return output.read_bytes()
+
+
+def test_models_hold_the_shape(scene, job, capfd):
+    mesh = TUBE.mesh()
+    triangles = stl_triangles(built(job, ".stl", capfd))
+    assert signed_volume(triangles) == pytest.approx(mesh.volume(), rel=1e-5)
+    high = mesh.vertices.max(axis=0)
+    assert np.allclose(obj_vertices(built(job, ".obj", capfd)).max(axis=0), high[[0, 2, 1]], atol=1e-5)  # y is up
+    low, high_glb, document = glb_bounds(built(job, ".glb", capfd))
+    assert np.allclose(high_glb, high[[0, 2, 1]], atol=1e-5)
+    assert len(document["materials"]) == 2 and len(document["nodes"]) == 1
+    assert f"element vertex {len(mesh.vertices)}" in built(job, ".ply", capfd)[:2000].decode("latin-1")
+
+
+def test_a_blend_file_holds_the_scene(scene, job, capfd):
+    import bpy
+
+    built(job, ".blend", capfd)
+    bpy.ops.wm.open_mainfile(filepath=str(job.with_suffix(".blend")))
+    assert {"tube", "Camera", "Ground", "Key"} >= {ob.name for ob in bpy.data.objects} - {"Fill", "Rim"}
+    ob = bpy.data.objects["tube"]
+    assert len(ob.data.vertices) == len(TUBE.mesh().vertices)
+    ends = np.zeros(len(ob.data.polygons), np.int32)
+    ob.data.polygons.foreach_get("material_index", ends)
+    assert set(ends) == {0, 1} and [material.name for material in ob.data.materials] == ["Side", "Caps"]
+
+
+def test_a_picture_is_filled_to_its_margin(scene, job, capfd):
+    import bpy
+
+    output = job.with_suffix(".png")
+    assert main(["render", str(job), "--output", str(output)]) == 0
+    assert capfd.readouterr().out == f"{output}\n"
+    image = bpy.data.images.load(str(output))
+    assert tuple(image.size) == (160, 120)
+    alpha = np.array(image.pixels[:]).reshape(120, 160, 4)[..., 3]
+    rows, columns = np.flatnonzero(alpha.any(axis=1)), np.flatnonzero(alpha.any(axis=0))
+    bounds = np.array([rows[0], 119 - rows[-1], columns[0], 159 - columns[-1]]) / [120, 120, 160, 160]
+    assert bounds.min() == pytest.approx(0.1, abs=0.025)
+    assert bounds[:2] == pytest.approx(bounds[1::-1], abs=0.025)  # the tall way is filled, and even
+
+
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    {
+        ("build", "-o", "a.png"): "output: must end in .blend, .glb, .stl, .obj, .ply, got 'a.png'",
+        ("render", "-o", "a.glb"): "output: must end in .png, .jpg, .webp, .exr, got 'a.glb'",
+        ("build", "-o", "nowhere/a.glb"): "output: must be in a folder that exists, got ",
+        ("render", "-o", "a.png", "--frame", "2"): "frame: must be from 1 to 1, got 2",
+    }.items(),
+)
+def test_a_wrong_output_is_refused_before_anything_is_done(scene, job, arguments, sentence, capsys, monkeypatch):
+    monkeypatch.chdir(job.parent)
+    assert main([arguments[0], str(job), *arguments[1:]]) == 2
+    told = capsys.readouterr()
+    assert told.err.startswith(sentence) and told.err.count("\n") == 1
+    assert sorted(path.name for path in job.parent.iterdir()) == ["tube.toml"]
+
+
+def test_what_cannot_be_written_leaves_nothing(scene, job, capsys, monkeypatch):
+    def give_up(path):
+        Path(path).write_text("half")
+        raise RuntimeError("Error: the disk is full\n")
+
+    monkeypatch.setitem(verbs.MODELS, ".stl", give_up)
+    output = job.with_suffix(".stl")
+    output.write_text("the old one")
+    assert main(["build", str(job), "--output", str(output)]) == 1
+    assert capsys.readouterr().err == "Error: the disk is full\n"
+    assert output.read_text() == "the old one" and not list(job.parent.glob("*.part"))
+
+
+def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monkeypatch):
+    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
+        pytest.skip("this host's Python is started by Blender alone")
+    monkeypatch.chdir(CHECKOUT)
+    monkeypatch.setattr(verbs, "program", lambda arguments: (sys.executable, "-m", "sweep_addon"))
+    other = job.with_name("other.toml")
+    other.write_text(job.read_text())
+    folder = job.parent / "out"
+    line = ["build", str(job), str(other), "--output-dir", str(folder), "--format", "stl", "--parallel", "2"]
+    assert main(line) == 0
+    assert sorted(capsys.readouterr().out.split()) == [str(folder / "other.stl"), str(folder / "tube.stl")]
+    times = {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")}
+    assert main(line) == 0 and {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")} == times
+    other.write_text(job.read_text() + "ground = false\n")
+    assert main(line) == 0
+    changed = {path.name for path in folder.glob("*.stl") if path.stat().st_mtime_ns != times[path]}
+    assert changed == {"other.stl"}

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A plan has one task for each file, and says what each depends on."""
+
+from pathlib import Path
+
+import pytest
+
+from sweep_addon.batch.job import Job, Render
+from sweep_addon.batch.plan import Task, plan
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.shapes import GeneralizedCylinder
+
+
+def job(path, digest="a", **render):
+    return Job(GeneralizedCylinder(), Render(**render), digest, Path(path))
+
+
+def test_a_model_and_a_still_are_one_task_and_a_turn_is_one_for_each_frame():
+    jobs = [job("in/knot.toml", frames=3), job("in/ring.toml")]
+    built = plan("build", jobs, "out", ".glb")
+    assert [Path(task.output).as_posix() for task in built] == ["out/knot.glb", "out/ring.glb"]
+    rendered = plan("render", jobs, "out", ".png")
+    names = [Path(task.output).name for task in rendered]
+    assert names == ["knot_0001.png", "knot_0002.png", "knot_0003.png", "ring.png"]
+    assert [task.frame for task in rendered] == [1, 2, 3, 0]
+
+
+def test_a_task_is_told_as_a_person_would_tell_it():
+    assert Task("render", "a.toml", "b.png", 2).arguments == ("render", "a.toml", "--output", "b.png", "--frame", "2")
+    assert Task("build", "a.toml", "b.glb").arguments == ("build", "a.toml", "--output", "b.glb")
+
+
+def test_whatever_changes_the_output_changes_the_digest():
+    base = plan("build", [job("a.toml")], "out", ".glb", "1")[0].digest
+    assert plan("build", [job("a.toml")], "elsewhere", ".glb", "1")[0].digest == base
+    others = [
+        plan("build", [job("a.toml", "b")], "out", ".glb", "1"),
+        plan("build", [job("a.toml")], "out", ".stl", "1"),
+        plan("build", [job("a.toml")], "out", ".glb", "2"),
+        plan("render", [job("a.toml", frames=2)], "out", ".png", "1"),
+    ]
+    digests = [task.digest for tasks in others for task in tasks]
+    assert base not in digests and len(set(digests)) == len(digests)
+
+
+def test_two_jobs_cannot_write_one_file():
+    with pytest.raises(ShapeError) as refusal:
+        plan("build", [job("x/a.toml"), job("y/a.toml")], "out", ".glb")
+    assert str(refusal.value).replace("\\", "/") == "y/a.toml: would write a.glb, as x/a.toml does"
