@@ -50,6 +50,7 @@ def parser():
     describe = commands.add_parser("describe", help="say what a job may tell", description=verbs.describe.__doc__)
     describe.add_argument("shape", metavar="SHAPE", nargs="?", help="a shape, one of its choices, or render")
     describe.add_argument("--schema", action="store_true", help="the JSON Schema of job files, for editors")
+    describe.add_argument("--markdown", action="store_true", help="as a table for the docs")
     describe.set_defaults(act=verbs.describe)
     return made
 

@@ -26,9 +26,9 @@ class Render:
     """A picture of a shape, its camera as close as shows all of it"""
 
     engine: Engine = parameter(Engine.CYCLES, "What computes the picture")
-    width: int = count(1280, "Pixels across", minimum=16, maximum=16_384)
-    height: int = count(960, "Pixels down", minimum=16, maximum=16_384)
-    samples: int = count(64, "Samples of each pixel", maximum=65_536)
+    width: int = count(960, "Pixels across", minimum=16, maximum=16_384)
+    height: int = count(720, "Pixels down", minimum=16, maximum=16_384)
+    samples: int = count(48, "Samples of each pixel", maximum=65_536)
     frames: int = count(1, "Pictures in one turn round the shape; 1 is a still", maximum=100_000)
     azimuth: float = angle(-0.9, "Where the camera stands round the z axis, from the x axis")
     elevation: float = angle(0.45, "How high the camera stands", minimum=-1.57, maximum=1.57)

@@ -92,7 +92,8 @@ def describe(told):
         kinds |= {spelled(kind): kind for kind in p.kinds if spelled(kind) not in kinds}
     kinds["render"] = jobs.Render
     require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")
-    say(table(told.shape, kinds[told.shape]))
+    said = description.markdown(kinds[told.shape]) if told.markdown else table(told.shape, kinds[told.shape])
+    say(said)
     return 0
 
 

@@ -7,7 +7,7 @@ from enum import EnumMeta
 from math import inf, isfinite
 from typing import NamedTuple, get_args, get_origin
 
-from .forms import VERSION, plain
+from .forms import VERSION, plain, scalar, tidy
 from .parameters import Array, inside, parameters, spelled
 
 UNITS = {None: "", "length": "m", "angle": "rad"}
@@ -44,6 +44,27 @@ def describe(cls):
     ('radius', 'number', 'm, more than 0', 1.0)
     """
     return rows(parameters(cls), "")
+
+
+def markdown(cls):
+    """What a shape or a kind may be told, as a table for the docs.
+
+    >>> from sweep_addon.core.contours import Circle
+    >>> print(markdown(Circle).splitlines()[2])
+    | `radius` | number, m, more than 0 | 1.0 | Distance from the centre |
+    """
+    lines = ["| parameter | takes | default | meaning |", "|---|---|---|---|"]
+    for row in describe(cls):
+        took = ", ".join(filter(None, (row.takes, row.limits))).replace("|", "or")
+        default = toml_value(row.default)
+        lines.append(f"| `{row.key}` | {took} | {default} | {row.doc} |")
+    return "\n".join(lines)
+
+
+def toml_value(value):
+    """A default as a table has room for it: of a long list only how it starts."""
+    text = tidy(value, scalar, 0)
+    return text if len(text) <= 40 else f"{text[:36]} ..."
 
 
 def rows(declared, path):

@@ -22,8 +22,8 @@ class Rectangle:
     20
     """
 
-    width: float = length(1.0, "Size along e1")
-    height: float = length(2.0, "Size along e2")
+    width: float = length(1.0, "Size along x, which is e2 of the frame")
+    height: float = length(2.0, "Size along y, which is e3 of the frame")
     rounding: float = parameter(
         0.0, "Radius of the corners, at most half the shorter side; 0 leaves them sharp", unit="length", minimum=0.0
     )

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The docs say what the program does: tables, pictures, links and the jobs behind the pictures."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sweep_addon.batch import job
+from sweep_addon.core.description import markdown
+from sweep_addon.core.shapes import SHAPES
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+PAGES = [*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md")]
+JOBS = [*CHECKOUT.glob("docs/*.toml"), *CHECKOUT.glob("docs/pictures/*.toml")]
+
+pytestmark = pytest.mark.skipif(not PAGES, reason="the installed zip has no docs")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_and_pictures_of_a_page_exist(page):
+    targets = re.findall(r"\]\(([^)#\s]+)", page.read_text())
+    missing = [target for target in targets if "://" not in target and not (page.parent / target).exists()]
+    assert not missing
+
+
+def test_table_of_parameters_is_the_declaration():
+    """Its text is what ``sweep describe generalized-cylinder --markdown`` prints."""
+    page = (CHECKOUT / "docs" / "generalized_cylinder.md").read_text()
+    table = page.partition("<!-- parameters -->\n")[2].partition("<!-- end of parameters -->")[0]
+    assert table.strip() == markdown(SHAPES[0])
+
+
+@pytest.mark.parametrize("path", JOBS, ids=lambda path: path.stem)
+def test_job_behind_a_picture_makes_a_closed_mesh(path):
+    mesh = job.read(path).shape.mesh()
+    assert len(mesh.boundary_edges()) == len(mesh.non_manifold_edges()) == 0
