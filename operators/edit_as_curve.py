@@ -34,6 +34,10 @@ class OBJECT_OT_sweep_edit_as_curve(Operator):
 
     def execute(self, context):
         ob = context.active_object
+        curve = objects.inputs(ob.data).get(self.parameter)
+        if curve:
+            self.report({"ERROR"}, f"The {self.parameter} is the object {curve.name!r} already: edit that")
+            return {"CANCELLED"}
         try:
             value = getattr(objects.from_object(ob), self.parameter)
         except ShapeError as error:

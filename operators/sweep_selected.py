@@ -49,6 +49,6 @@ def roles(context, swap):
     if len(chosen) == 1:
         return {"trajectory": chosen[0]}
     trajectory, contour = chosen
-    if swap or trajectory.type == "FONT":  # a text has no length to move along
+    if trajectory.type == "FONT" or swap and contour.type != "FONT":  # a text has no length to move along
         trajectory, contour = contour, trajectory
     return {"trajectory": trajectory, "contour": contour}

@@ -92,6 +92,7 @@ def extent(ob):
 
 def select(active, *others):
     """Select these objects alone, the first of them active."""
+    bpy.context.view_layer.update()
     for ob in bpy.context.view_layer.objects:
         ob.select_set(ob in (active, *others))
     bpy.context.view_layer.objects.active = active

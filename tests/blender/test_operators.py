@@ -1,0 +1,239 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user can do, without a window: add, sweep what is selected, apply, copy; where it cannot be done, why."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+import bmesh
+from scenes import curve, extent, parameters_of, places, select, square, straight, sweep, text
+
+import sweep_addon as sw
+from sweep_addon import presets
+
+
+def known():
+    """All that Blender holds, by name."""
+    return {repr(data) for data in bpy.data.user_map()}
+
+
+def enclosed(mesh):
+    """The volume that a mesh encloses, by Blender's own sum; it must be closed, with nothing to repair."""
+    measured = bmesh.new()
+    measured.from_mesh(mesh)
+    assert measured.edges and all(edge.is_manifold and edge.is_contiguous for edge in measured.edges)
+    volume = measured.calc_volume(signed=True)
+    measured.free()
+    assert not mesh.validate() and volume > 0
+    return volume
+
+
+def test_added_shape_stands_where_it_is_asked_to(scene):
+    scene.cursor.location = (1, 2, 3)
+    assert bpy.ops.mesh.generalized_cylinder_add(contour_circle_radius=0.5) == {"FINISHED"}
+    ob = bpy.context.active_object
+    assert tuple(ob.location) == (1, 2, 3) and ob.select_get()
+    assert parameters_of(ob).contour_circle_radius == 0.5
+    assert enclosed(ob.data) > 0
+    bpy.ops.mesh.generalized_cylinder_add(location=(4, 0, 0), rotation=(0, 1, 0))
+    ob = bpy.context.active_object
+    assert tuple(ob.location) == (4, 0, 0) and ob.rotation_euler.y == pytest.approx(1)
+
+
+def test_added_shape_joins_the_mesh_that_is_edited(scene):
+    """As Blender's own shapes do."""
+    bpy.ops.mesh.primitive_cube_add()
+    cube = bpy.context.active_object
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.generalized_cylinder_add(trajectory="LINE", contour="RECTANGLE")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(cube.data.vertices) == 16 and list(scene.collection.objects) == [cube]
+    assert cube.data.sweep.kind == "NONE"
+
+
+@pytest.mark.parametrize("name", [preset.name for preset in presets.PRESETS])
+def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
+    assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
+    ob = bpy.context.active_object
+    assert ob.name == presets.title(name)
+    volume = enclosed(ob.data)
+    bpy.ops.mesh.sweep_preset_add(preset=name.upper(), follow=False, location=(1, 2, 3), rotation=(1, 0, 0))
+    assert tuple(bpy.context.active_object.location) == (1, 2, 3)
+    assert enclosed(bpy.context.active_object.data) == pytest.approx(volume)
+
+
+def test_straight_preset_follows_the_active_curve_if_that_is_selected_and_asked_for(scene):
+    path = curve("POLY", [(0, 0, 0), (5, 0, 0)], name="path")
+    for selected, follow, long in ((True, True, True), (True, False, False), (False, True, False)):
+        select(path)
+        path.select_set(selected)
+        bpy.ops.mesh.sweep_preset_add(preset="PIPE", follow=follow)
+        ob = bpy.context.active_object
+        assert (ob.parent == path) == long and (extent(ob)[0] == pytest.approx(5)) == long
+        assert enclosed(ob.data) > 0
+
+
+def test_refused_shape_leaves_nothing_behind(scene):
+    before = known()
+    with pytest.raises(RuntimeError, match="contour.radius: must be more than 0, got 0"):
+        bpy.ops.mesh.generalized_cylinder_add(contour_circle_radius=0)
+    assert known() == before
+
+
+def test_one_curve_gets_a_circle_along_it(scene):
+    path = straight()
+    path.location = (3, 0, 0)
+    select(path)
+    assert bpy.ops.object.sweep_selected() == {"FINISHED"}
+    ob = bpy.context.active_object
+    assert bpy.context.selected_objects == [ob] and ob.parent == path
+    assert parameters_of(ob).trajectory_object == path and parameters_of(ob).contour == "CIRCLE"
+    assert extent(ob)[2] == 2 and ob.matrix_world.translation.x == 3
+
+
+@pytest.mark.parametrize("swap", [False, True])
+def test_active_curve_is_the_contour_and_the_other_the_trajectory(scene, swap):
+    contour, path = square(), curve("POLY", [(0, 0, 0), (7, 1, 0), (7, 9, 0)], use_cyclic_u=True)
+    select(contour, path)
+    bpy.ops.object.sweep_selected(swap=swap)
+    group = parameters_of(bpy.context.active_object)
+    roles = (group.contour_object, group.trajectory_object)
+    assert roles == ((path, contour) if swap else (contour, path))
+
+
+@pytest.mark.parametrize("text_is_active", [False, True])
+def test_text_is_always_the_contour(scene, text_is_active):
+    letters, path = text("I"), straight()
+    select(*((letters, path) if text_is_active else (path, letters)))
+    bpy.ops.object.sweep_selected(swap=text_is_active)
+    group = parameters_of(bpy.context.active_object)
+    assert (group.contour_object, group.trajectory_object) == (letters, path)
+
+
+def test_refused_sweep_of_the_selected_leaves_nothing_behind(scene):
+    speck = curve("POLY", [(0, 0, 0), (0, 0, 0)], name="Speck")
+    select(speck)
+    before = known()
+    with pytest.raises(RuntimeError, match="trajectory: must be a curve with a length, got 'Speck'"):
+        bpy.ops.object.sweep_selected()
+    assert known() == before and speck.data.users == 1 and speck.users == 1
+    assert bpy.context.active_object == speck and speck.select_get()
+
+
+def refused(operator, sentence, **options):
+    """Whether an operator cannot be called and says this about it."""
+    assert not operator.poll()
+    with pytest.raises(RuntimeError, match=sentence):
+        operator(**options)
+
+
+def test_sweep_selected_says_what_to_select(scene):
+    sentence = "Select a curve to sweep along, or two"
+    refused(bpy.ops.object.sweep_selected, sentence)
+    select(text("I"))
+    refused(bpy.ops.object.sweep_selected, sentence)
+    select(straight(), square(), text("I"))
+    refused(bpy.ops.object.sweep_selected, sentence)
+
+
+def test_operators_on_a_sweep_say_that_one_must_be_active(scene):
+    bpy.ops.mesh.primitive_cube_add()
+    for empty in (False, True):
+        if empty:
+            bpy.context.view_layer.objects.active = None
+            select(None)
+        refused(bpy.ops.object.sweep_apply, "Select a sweep")
+        refused(bpy.ops.object.sweep_copy, "Make a sweep the active object", form="JOB")
+        refused(bpy.ops.object.sweep_edit_as_curve, "Make a sweep the active object", parameter="contour")
+
+
+def test_linked_sweep_can_be_copied_and_nothing_else(scene, tmp_path):
+    bpy.data.libraries.write(str(tmp_path / "library.blend"), {sweep()})
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    bpy.ops.wm.link(directory=f"{tmp_path}/library.blend/Object/", filename="sweep")
+    select(bpy.data.objects["sweep"])
+    refused(bpy.ops.object.sweep_apply, "not linked from another file")
+    refused(bpy.ops.object.sweep_edit_as_curve, "not linked from another file", parameter="contour")
+    assert bpy.ops.object.sweep_copy(form="JOB") == {"FINISHED"}
+
+
+def test_applied_sweeps_are_plain_meshes_and_others_are_not_touched(scene):
+    path = straight()
+    first, second, other = sweep(trajectory=path), sweep(), sweep()
+    twin = bpy.data.objects.new("twin", second.data)
+    scene.collection.objects.link(twin)
+    bpy.ops.mesh.primitive_cube_add()
+    select(bpy.context.active_object, first, second)
+    before = places(first.data)
+
+    assert bpy.ops.object.sweep_apply() == {"FINISHED"}
+
+    assert [ob.data.sweep.kind == "NONE" for ob in (first, second, twin, other)] == [True, True, True, False]
+    path.data.splines[0].points[1].co.z = 9
+    bpy.context.view_layer.update()
+    assert np.array_equal(places(first.data), before) and first.data.sweep.error == ""
+    assert path.users == 1  # an applied mesh uses it no more: deleting it is for good
+
+
+def copied(ob, form):
+    """The text that the operator puts on the clipboard, which there is none of in background."""
+    reports, clipboard = [], SimpleNamespace()
+    operator = SimpleNamespace(form=form, report=lambda kind, sentence: reports.append((*kind, sentence)))
+    context = SimpleNamespace(active_object=ob, window_manager=clipboard)
+    assert bpy.types.OBJECT_OT_sweep_copy.execute(operator, context) == {"FINISHED"}
+    assert bpy.ops.object.sweep_copy(form=form) == {"FINISHED"}
+    return clipboard.clipboard, reports
+
+
+@pytest.mark.parametrize("inputs", [False, True])
+def test_copied_job_is_the_equal_shape(scene, inputs):
+    ob = sweep(trajectory=straight(), contour=square()) if inputs else sweep()
+    select(ob)
+    job, _ = copied(ob, "JOB")
+    assert sw.load(job) == sw.from_object(ob)
+
+
+@pytest.mark.parametrize("inputs", [False, True])
+def test_copied_python_run_makes_the_equal_shape(scene, inputs):
+    ob = sweep(trajectory=straight(), contour=square()) if inputs else sweep()
+    select(ob)
+    line, _ = copied(ob, "PYTHON")
+    before = set(scene.collection.objects)
+    exec(line, {})
+    (made,) = set(scene.collection.objects) - before
+    assert sw.from_object(made) == sw.from_object(ob) and np.array_equal(places(made.data), places(ob.data))
+
+
+def test_copied_python_of_several_splines_makes_them_all_and_a_job_says_that_it_holds_one(scene):
+    ob = sweep(trajectory=curve("POLY", [(0, 0, 0), (0, 0, 2)], [(5, 0, 0), (5, 0, 2)]))
+    select(ob)
+    lines, _ = copied(ob, "PYTHON")
+    _, reports = copied(ob, "JOB")
+    before = set(scene.collection.objects)
+    exec(lines, {})
+    assert len(set(scene.collection.objects) - before) == 2
+    assert ("WARNING", "A job holds one shape: the first of 2 splines was copied") in reports
+
+
+@pytest.mark.parametrize(
+    ("operator", "undo"),
+    [
+        ("mesh.generalized_cylinder_add", True),
+        ("mesh.sweep_preset_add", True),
+        ("object.sweep_selected", True),
+        ("object.sweep_apply", True),
+        ("object.sweep_edit_as_curve", True),
+        ("object.sweep_copy", False),  # changes nothing
+    ],
+)
+def test_operator_and_its_options_have_tooltips_and_what_changes_something_is_undone(scene, operator, undo):
+    space, verb = operator.split(".")
+    known = getattr(getattr(bpy.ops, space), verb).get_rna_type()
+    assert known.description and known.name
+    theirs = {"rna_type", "align", "location", "rotation"}  # Blender's own, without words
+    assert all(option.description for option in known.properties if option.identifier not in theirs)
+    assert ("UNDO" in getattr(bpy.types, f"{space.upper()}_OT_{verb}").bl_options) == undo
