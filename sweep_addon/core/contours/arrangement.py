@@ -14,7 +14,7 @@ from .crossing import overlapping_boxes
 CELLS = 1 << 22  # along the longer side: a cell is below single precision, a product of two lengths below 2**53
 ROUNDS = 30
 MOST_PIECES = 250_000
-MOST_MEETINGS = 2_000_000
+MOST_MEETINGS = 1_000_000
 
 
 def arrangement(start, end):

@@ -21,7 +21,7 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
     Parameters
     ----------
     text_or_path : str or Path
-        The text of a drawing, or the path of a file of at most 4 MB.
+        The text of a drawing, or the path of a file of at most 2 MB.
     scale : float
         Metres for one unit of the drawing's coordinates.
     tolerance : float

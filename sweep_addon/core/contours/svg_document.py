@@ -8,7 +8,7 @@ from xml.parsers import expat
 
 from ..parameters import ShapeError, require
 
-LARGEST = 4_000_000  # characters, repeated uses counted again
+LARGEST = 2_000_000  # characters, repeated uses counted again
 DEEPEST = 100
 UNSEEN = {"mask", "marker", "filter", "linearGradient", "radialGradient", "foreignObject", "script", "style-sheet"}
 HREFS = "href", "{http://www.w3.org/1999/xlink}href"

@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""SVG drawings become the outline of what a renderer fills, and hostile ones a sentence."""
+
+import numpy as np
+import pytest
+from contour_inputs import DATA
+
+from sweep_addon.core.contours import Outline, from_svg
+from sweep_addon.core.parameters import ShapeError
+
+pytest.importorskip("svgelements")
+
+# Units covered in librsvg's 320 x 320 picture of the file; such pixels count the edge to about 1e-3 of the area.
+RENDERED = {
+    "bicycle": 60.61,
+    "cookie": 90.61,
+    "flower1": 111.76,
+    "gear-fill": 132.06,
+    "gear-wide-connected": 102.49,
+    "infinity": 41.70,
+    "puzzle-fill": 129.56,
+    "radioactive": 106.94,
+    "yin-yang": 124.08,
+}
+
+
+@pytest.mark.parametrize("name", RENDERED)
+def test_an_icon_fills_what_a_renderer_fills(name):
+    contour = from_svg(DATA / "svg" / f"{name}.svg", tolerance=1e-3)
+    assert contour.section().area == pytest.approx(RENDERED[name], rel=2e-3)
+    assert contour.section().centroid == pytest.approx([0, 0], abs=1e-6)
+
+
+def svg(body, attributes=""):
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {attributes}>{body}</svg>'
+
+
+@pytest.mark.parametrize(
+    ("body", "area"),
+    [
+        ('<rect x="1" y="1" width="4" height="2" rx="1"/>', 4 + np.pi),
+        ('<circle cx="5" cy="5" r="2"/>', 4 * np.pi),
+        ('<ellipse rx="3" ry="2" transform="rotate(30) skewX(20) scale(2 1)"/>', 12 * np.pi),
+        ('<path d="M-3 0A3 2 25 0 0 3 0A3 2 25 0 0 -3 0" transform="matrix(1 0 1 1 0 0)"/>', None),
+        ('<polygon points="0 0 4 0 4 3"/>', 6),
+        ('<path d="M0 0h4v4h-4zM1 1h1v1h-1z"/>', 16),
+        ('<path d="M0 0h4v4h-4zM1 1v1h1v-1z"/>', 15),
+        ('<path d="M0 0h4v4h-4zM1 1h1v1h-1z" fill-rule="evenodd"/>', 15),
+        ('<g style="fill-rule:evenodd"><path d="M0 0h4v4h-4zM1 1h1v1h-1z"/></g>', 15),
+        ('<path d="M0 0Q2 4 4 0"/>', 16 / 3),
+        ('<path d="M0 0h2v2"/><path d="M9 9h2v2" fill="none" stroke="red"/>', 2),
+        ('<g display="none"><rect width="9" height="9"/></g><rect width="1" height="1"/>', 1),
+        ('<defs><rect id="a" width="2" height="1"/></defs><use href="#a"/><use href="#a" x="1"/>', 3),
+        ('<symbol id="s"><rect width="2" height="1"/></symbol><rect width="1" height="1" x="7"/>', 1),
+        ('<rect width="3" height="3"/><rect x="2" y="2" width="3" height="3"/>', 17),
+    ],
+)
+def test_shapes_fill_their_area(body, area):
+    section = from_svg(svg(body), tolerance=1e-5).section()
+    if area is None:  # an arc that has to be enlarged to reach: sheared it keeps its area
+        area = from_svg(svg(body.split("transform")[0] + "/>"), tolerance=1e-5).section().area
+    assert section.area == pytest.approx(area, rel=1e-4)
+
+
+def test_the_drawing_keeps_its_units_and_turns_y_up():
+    text = svg('<path d="M10 20h4v2z"/>', 'width="1em" height="3in" viewBox="10 10 50 20"')
+    points = from_svg(text, scale=0.5, centred=False).section().points
+    assert sorted(map(tuple, points.round(6).tolist())) == [(5, -10), (7, -11), (7, -10)]
+
+
+def test_percentages_are_of_the_drawings_own_size():
+    assert from_svg(svg('<rect width="100%" height="50%"/>', 'viewBox="0 0 10 10"')).section().area == pytest.approx(50)
+
+
+def test_curves_are_smooth_and_corners_sharp():
+    circle, half = (from_svg(svg(f'<path d="M-1 0A1 1 0 0 0 1 0{end}"/>')) for end in ("A1 1 0 0 0 -1 0", "z"))
+    assert not circle.section().sharp.any()
+    assert half.section().sharp.sum() == 2
+
+
+def test_the_outline_is_a_plain_value():
+    contour = from_svg(svg('<circle r="1"/>'))
+    assert contour == Outline(loops=[loop.values.tolist() for loop in contour.loops])
+
+
+LAUGHS = "".join(f'<!ENTITY l{i} "{f"&l{i - 1};" * 10}">' for i in range(1, 12))
+BOMB = "".join(f'<g id="a{i + 1}">{f"""<use href="#a{i}"/>""" * 10}</g>' for i in range(12))
+CHAIN = "".join(f'<use id="a{i + 1}" href="#a{i}"/>' for i in range(3000))
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("", "svg: must be SVG text or a path, got ''"),
+        (None, "svg: must be SVG text or a path, got None"),
+        ("no/such.svg", "the SVG file no/such.svg cannot be read: No such file or directory"),
+        (svg(""), "the SVG text must fill at least one path, got none"),
+        (svg("<text>hello</text>"), "the SVG text must fill at least one path, got none"),
+        (svg('<path d="M0 0h1v1" fill="none"/>'), "the SVG text must fill at least one path, got only unfilled ones"),
+        (svg('<path d="M0 0h9"/>'), "the SVG text must fill an area, got 0"),
+        (svg('<path d="M0 0h1e999v1z"/>'), "the SVG text must have finite numbers"),
+        ("<svg><path</svg>", "the SVG text must be XML, got an error: not well-formed"),
+        ("<html/>", "the SVG text must have an svg element at its root, got 'html'"),
+        (
+            f'<!DOCTYPE svg [<!ENTITY l0 "lol">{LAUGHS}]><svg>&l11;</svg>',
+            "the SVG text must have no entity declarations",
+        ),
+        ('<!DOCTYPE svg [<!ENTITY x SYSTEM "file:///etc/passwd">]><svg>&x;</svg>', "the SVG text must have no entity"),
+        ("<svg>" + "<g>" * 50_000 + "</g>" * 50_000 + "</svg>", "the SVG text must have elements nested at most 100"),
+        (svg('<g id="a"><use href="#a"/></g>'), "the SVG text must have no use of an element within itself, got 'a'"),
+        (svg('<g id="a0"><path d="M0 0h1v1z"/></g>' + BOMB), "the SVG text must have at most 2000000 characters with"),
+        (
+            svg('<g id="a0"><path d="M0 0h1v1z"/></g>' + CHAIN),
+            "the SVG text must have elements and uses nested at most",
+        ),
+        (svg(" " * 2_000_001), "the SVG text must have at most 2000000 characters, got"),
+        (
+            svg('<rect width="1" height="1"/>' * 3000),
+            "the SVG text must overlap at no more than 1000000 pairs of edges",
+        ),
+    ],
+    ids=range(18),
+)
+def test_what_fills_nothing_or_would_fill_memory_is_refused_in_one_sentence(text, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        from_svg(text)
+    assert str(refusal.value).startswith(sentence)
+
+
+def test_a_document_type_without_entities_is_harmless():
+    doctype = '<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd">'
+    assert from_svg(doctype + svg('<path d="M0 0h1v1z"/>')).section().area == pytest.approx(0.5)
+
+
+def test_parameters_out_of_range_are_named():
+    with pytest.raises(ShapeError, match="^scale: must be more than 0, got 0$"):
+        from_svg(svg('<circle r="1"/>'), scale=0.0)
+    with pytest.raises(ShapeError, match="^tolerance: must be at least 0, got -1$"):
+        from_svg(svg('<circle r="1"/>'), tolerance=-1.0)
