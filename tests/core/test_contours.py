@@ -188,7 +188,7 @@ def test_crossings_are_those_of_the_definition(corners):
     assert sorted(map(tuple, found[~neighbours].tolist())) == crossings_by_definition(points)
 
 
-@given(st.integers(0, 2**32 - 1), st.integers(3, 300))
+@given(st.integers(0, 2**32 - 1), st.integers(8, 300))
 def test_a_star_keeps_its_area_however_it_is_turned_and_moved(seed, points):
     loop = star(np.random.default_rng(seed), points)
     section = Section.from_loops([loop[::-1] * 1000 + (1e4, -3e4)])

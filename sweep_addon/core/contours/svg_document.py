@@ -10,7 +10,7 @@ from ..parameters import ShapeError, require
 
 LARGEST = 2_000_000  # characters, repeated uses counted again
 DEEPEST = 100
-UNSEEN = {"mask", "marker", "filter", "linearGradient", "radialGradient", "foreignObject", "script", "style-sheet"}
+UNSEEN = {"mask", "marker", "filter", "linearGradient", "radialGradient", "foreignObject", "script"}
 HREFS = "href", "{http://www.w3.org/1999/xlink}href"
 
 
