@@ -50,7 +50,8 @@ def draw_list(layout, group, p, name):
     if p.shorthand and len(text) <= TYPED:
         layout.prop(group, name, text="")
         return
-    size = len(listed(text))
+    values = listed(text)
+    size = len(values) if isinstance(values, list) else 0  # somebody may have written any text there
     if size:
         row = layout.split(factor=0.4)
         row.alignment = "RIGHT"

@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the sidebar and the menu draw in each state, by a layout that writes down what it is asked for."""
+
+import timeit
+from types import SimpleNamespace
+
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from scenes import parameters_of, select, square, straight, sweep, text
+
+import sweep_addon as sw
+from sweep_addon import presets
+from sweep_addon.core.parameters import inside, parameters, spelled
+
+MOST_CALLS = 150  # of the layout, in one draw: under 1 ms in a window
+
+
+class Layout:
+    """A layout that checks what it is asked to draw against what Blender knows, and writes it down."""
+
+    def __init__(self, drawn=None, folded=False):
+        self.drawn, self.folded = [] if drawn is None else drawn, folded
+
+    def part(self, **_):
+        self.drawn.append("part")
+        return Layout(self.drawn, self.folded)
+
+    row = column = split = box = part
+
+    def panel(self, idname, **_):
+        return self.part(), None if self.folded else self.part()
+
+    def label(self, text="", icon="NONE"):
+        assert icon in bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
+        self.drawn.append(text)
+
+    def separator(self, **_):
+        self.drawn.append("separator")
+
+    def prop(self, data, name, text="", **_):
+        assert name in data.bl_rna.properties
+        self.drawn.append(name)
+
+    def menu(self, name, text="", icon="NONE"):
+        assert hasattr(bpy.types, name)
+        self.drawn.append(name)
+
+    def operator(self, idname, text="", icon="NONE", **_):
+        space, verb = idname.split(".")
+        known = getattr(getattr(bpy.ops, space), verb).get_rna_type()
+        self.drawn.append(idname)
+        return Options(known)
+
+
+class Options:
+    """The options of a button: only those that the operator has, and only values that it takes."""
+
+    def __init__(self, known):
+        object.__setattr__(self, "known", known)
+
+    def __setattr__(self, name, value):
+        option = self.known.properties[name]
+        assert option.type != "ENUM" or value in option.enum_items
+
+
+def drawn(ob=None, mode="OBJECT", width=300, folded=False):
+    """All that the sidebar draws with this object active, and the words of it."""
+    context = SimpleNamespace(
+        active_object=ob,
+        object=ob,
+        mode=mode,
+        region=SimpleNamespace(width=width),
+        preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),  # without a window it is 0
+        selected_objects=[ob] if ob else [],
+        scene=bpy.context.scene,
+        view_layer=bpy.context.view_layer,
+    )
+    layout = Layout(folded=folded)
+    bpy.types.VIEW3D_PT_sweep.draw(SimpleNamespace(layout=layout), context)
+    return layout.drawn
+
+
+def said(calls):
+    """The words among them, with the line breaks of a narrow sidebar taken out."""
+    return " ".join(calls)
+
+
+def test_without_a_sweep_it_says_what_to_do_and_offers_it(scene):
+    plain = bpy.data.objects.new("plain", bpy.data.meshes.new("plain"))
+    for ob in (None, plain, straight(), text("I")):
+        calls = drawn(ob)
+        assert {"VIEW3D_MT_sweep_add", "object.sweep_selected"} <= set(calls)
+        assert "object.sweep_apply" not in calls
+        assert "curve" in said(calls)
+    assert "Edit Mode" in said(drawn(plain, mode="EDIT_MESH"))
+
+
+def test_a_sweep_shows_every_parameter_once_and_what_can_be_done(scene):
+    calls = drawn(sweep())
+    for p in parameters(sw.GeneralizedCylinder):
+        assert calls.count(p.name) == 1
+    assert {"object.sweep_apply", "object.sweep_copy", "object.sweep_edit_as_curve"} <= set(calls)
+    assert "contour_circle_radius" in calls and "contour_rectangle_width" not in calls
+
+
+def test_folded_groups_draw_nothing_of_theirs(scene):
+    calls = drawn(sweep(), folded=True)
+    for p in parameters(sw.GeneralizedCylinder):
+        assert calls.count(p.name) == (0 if p.group else 1)
+
+
+def test_size_is_said_where_the_eye_is(scene):
+    ob = sweep()
+    assert f"2 contours, {len(ob.data.polygons):,} faces" in said(drawn(ob))
+
+
+@pytest.mark.parametrize("width", [120, 200, 300, 900])
+def test_an_error_is_said_whole_however_narrow_the_sidebar(scene, width):
+    ob = sweep()
+    parameters_of(ob).contour_circle_radius = 0
+    words = said(drawn(ob, width=width)).replace(" ", "")  # a word that is too long is broken
+    assert ob.data.sweep.error.replace(" ", "") in words
+    assert "contour_circle_radius" in drawn(ob, width=width)
+
+
+def test_warnings_of_the_shape_are_said(scene):
+    ob = sweep(frame="frenet")
+    assert ob.data.sweep.told and ob.data.sweep.told in said(drawn(ob))
+
+
+def test_a_mesh_edited_by_hand_says_what_will_happen_to_it(scene):
+    ob = sweep()
+    ob.data.sweep.edited = True
+    assert "the next change replaces it" in said(drawn(ob)) and "Apply" in said(drawn(ob))
+    select(ob)
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert "Edit Mode" in said(drawn(ob, mode="EDIT_MESH"))
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_a_linked_sweep_says_so_and_offers_nothing_to_change(scene, tmp_path):
+    bpy.data.libraries.write(str(tmp_path / "library.blend"), {sweep()})
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    bpy.ops.wm.link(directory=f"{tmp_path}/library.blend/Object/", filename="sweep")
+    calls = drawn(bpy.data.objects["sweep"])
+    assert "linked from another file" in said(calls) and "contour" not in calls
+
+
+UNIONS = [p for p in parameters(sw.GeneralizedCylinder) if p.kinds]
+
+
+@pytest.mark.parametrize(
+    ("p", "kind"), [pytest.param(p, kind, id=f"{p.name}-{spelled(kind)}") for p in UNIONS for kind in p.kinds]
+)
+def test_a_chosen_kind_shows_its_own_parameters_and_no_other_kinds(scene, p, kind):
+    ob = sweep()
+    setattr(parameters_of(ob), p.name, spelled(kind, "_").upper())
+    calls = drawn(ob)
+    prefix = f"{p.name}_{spelled(kind, '_')}_"
+    own = {prefix + q.name for q in inside(p, kind) if not q.is_list}
+    assert own <= set(calls)
+    others = {name for name in calls if name.startswith(f"{p.name}_") and not name.startswith(prefix)}
+    assert not others
+
+
+@pytest.mark.parametrize("parameter", ["contour", "trajectory"])
+def test_an_object_shows_which(scene, parameter):
+    ob = sweep(**{parameter: {"contour": square, "trajectory": straight}[parameter]()})
+    assert f"{parameter}_object" in drawn(ob)
+    setattr(parameters_of(ob), f"{parameter}_object", None)
+    assert f"{parameter}_object" in drawn(ob)
+
+
+@pytest.mark.parametrize("text", ["", "7", "null", "{}", "[[", '"a"', "[" * 5000])
+@pytest.mark.parametrize("name", ["contour_outline_loops", "scale_x_points_points"])
+def test_a_list_that_somebody_spoilt_is_drawn_with_its_refusal(scene, text, name):
+    ob = sweep()
+    setattr(parameters_of(ob), name, text)
+    parameters_of(ob).contour, parameters_of(ob).scale_x = "OUTLINE", "POINTS"
+    assert ob.data.sweep.error and "must" in said(drawn(ob))
+
+
+def test_menu_offers_every_shape_and_every_preset(scene):
+    layout = Layout()
+    bpy.types.VIEW3D_MT_sweep_add.draw(SimpleNamespace(layout=layout), bpy.context)
+    assert layout.drawn.count("mesh.generalized_cylinder_add") == 1
+    assert layout.drawn.count("mesh.sweep_preset_add") == len(presets.PRESETS) >= 3
+
+
+def test_menu_stands_in_add_mesh(scene):
+    layout = Layout()
+    for draw in bpy.types.VIEW3D_MT_mesh_add.draw._draw_funcs:
+        if draw.__module__.startswith("bl_ext.user_default.sweep_addon"):
+            draw(SimpleNamespace(layout=layout), bpy.context)
+    assert "VIEW3D_MT_sweep_add" in layout.drawn
+
+
+def test_last_operation_shows_every_parameter(scene):
+    known = bpy.ops.mesh.generalized_cylinder_add.get_rna_type()
+    values = {key: getattr(known.properties[key], "default", None) for key in known.properties.keys()}
+    layout, operator = Layout(), bpy.types.MESH_OT_generalized_cylinder_add
+    asked = SimpleNamespace(**{**values, "layout": layout, "shape": operator.shape, "bl_rna": known})
+    operator.draw(asked, bpy.context)
+    for p in parameters(operator.shape):
+        assert layout.drawn.count(p.name) == 1
+    assert {"location", "rotation", "contour_circle_radius"} <= set(layout.drawn)
+
+
+def test_a_draw_is_few_calls_and_changes_nothing(scene):
+    ob = sweep()
+    before = ob.data.sweep.made
+    calls = drawn(ob)
+    seconds = min(timeit.repeat(lambda: drawn(ob), number=20, repeat=3)) / 20
+    print(f"\ndraw of a sweep: {len(calls)} calls of the layout, {seconds * 1000:.2f} ms in Python")
+    assert len(calls) < MOST_CALLS and ob.data.sweep.made == before
