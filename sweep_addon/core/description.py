@@ -51,7 +51,7 @@ def markdown(cls):
 
     >>> from sweep_addon.core.contours import Circle
     >>> print(markdown(Circle).splitlines()[2])
-    | `radius` | number, m, more than 0 | 1.0 | Distance from the centre |
+    | `radius` | number, m, more than 0 | 1.0 | Distance of the points from the centre |
     """
     lines = ["| parameter | takes | default | meaning |", "|---|---|---|---|"]
     for row in describe(cls):

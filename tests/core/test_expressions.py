@@ -99,6 +99,7 @@ KNOWN = "(u, t, pi, tau, e are)"
         "-" * 300: f"more than 100 levels at character 101, got '...{'-' * 32}...'",
         "(" * 10_000: f"it is 10000 characters long, at most 2000 are allowed, got '{'(' * 35}...'",
     }.items(),
+    ids=lambda text: repr(text)[:30],
 )
 def test_refusals_say_what_is_wrong_and_where(text, what):
     with pytest.raises(ShapeError) as refusal:
