@@ -16,9 +16,10 @@ INTRODUCTION = """
 ### Live update
 
 A tube along a helix of 5 turns, from a property that is set to the mesh that Blender shows: milliseconds, and how many
-times that of Blender's own node in the same run. The measurements take turns; medians of {rounds} rounds. Every round
-sets a new value. The node always makes everything anew; its usual set-up with UVs stands beside the bare node, since a
-radius and a pitch change this project's UVs too.
+times that of Blender's own node in the same run. The measurements take turns; medians of {rounds} rounds. Every value
+is new, and a turn is two changes of which the second counts, as while a slider is dragged. The node always makes
+everything anew; its usual set-up with UVs stands beside the bare node, since all rows but the first change this
+project's UVs too.
 """
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Medians of things measured in turns, and the tables that show them."""
 
+import gc
 import statistics
 import sys
 import time
@@ -14,7 +15,7 @@ def medians(actions, repeats):
     Parameters
     ----------
     actions : dict of callables
-        Each takes the number of the round, so that it can do something new in every round.
+        Each takes a number that is never the same, so that it can do something new.
     repeats : int
         Rounds that count; one before them does not.
 
@@ -22,13 +23,19 @@ def medians(actions, repeats):
     -------
     dict of float
 
-    The actions take turns, so that whatever else the machine is doing falls on all of them alike.
+    The actions take turns, so that whatever else the machine is doing falls on all of them alike. A turn is the same
+    action twice, of which the second counts, as while a slider is dragged: the first would also measure what the
+    action before it left in the caches. What they hold is frozen: else Python would search the million lists of one
+    peer for garbage in the turn of another.
     """
+    gc.collect()
+    gc.freeze()
     taken = {name: [] for name in actions}
     for number in range(repeats + 1):
         for name, action in actions.items():
+            action(2 * number)
             start = time.perf_counter()
-            action(number)
+            action(2 * number + 1)
             taken[name].append(1000 * (time.perf_counter() - start))
     return {name: statistics.median(times[1:]) for name, times in taken.items()}
 

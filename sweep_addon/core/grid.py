@@ -10,6 +10,7 @@ has shrunk to nothing is one vertex, a tip, behind all the others.
 import zlib
 from dataclasses import dataclass
 from functools import lru_cache
+from hashlib import blake2b
 
 import numpy as np
 
@@ -96,6 +97,7 @@ def build(grid):
         corner_edges=laid(grid, used, *(edges for _, edges, _ in caps)),
         sharp=sharp_edges(grid, len(pairs), len(inner)),
         material=material,
+        name=blake2b(repr(grid).encode(), digest_size=8).hexdigest(),
     )
 
 
