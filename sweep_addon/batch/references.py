@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """References: what a job says in place of a contour or a trajectory that lies in a file beside it."""
 
+from contextlib import contextmanager
 from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
 from ..core import contours
 from ..core.description import table_schema
-from ..core.parameters import at, declared, from_table, length, parameter, parameters, require
+from ..core.parameters import ShapeError, at, declared, from_table, length, parameter, parameters, require
 
 LARGEST = 50_000_000  # bytes of a drawing or a font
 
@@ -74,13 +75,13 @@ def read(reference, is_contour, folder):
         require(is_contour, "stands for a contour only", reference.text, "text")
         require(reference.font, "must be a .ttf or .otf file", reference.font, "font")
         path = existing(folder / reference.font, "font")
-        with at("text"):
+        with about("text"):
             return contours.from_text(reference.text, path, size=reference.size), path
     path = existing(folder / reference.file, "file")
     kind = path.suffix.lower()
     require(kind in ((".svg", ".blend") if is_contour else (".blend",)), told(is_contour), reference.file, "file")
     if kind == ".svg":
-        with at("file"):
+        with about("file"):
             return contours.from_svg(path, scale=reference.scale), path
     require(reference.object, "must name an object of the .blend file", reference.object, "object")
     require(find_spec("bpy") is not None, "needs Blender to be read", reference.file, "file")
@@ -89,6 +90,15 @@ def read(reference, is_contour, folder):
     with at("object"):
         found = (files.outline if is_contour else files.trajectory)(path, reference.object)
     return (scaled(found, reference.scale) if is_contour else lengthened(found, reference.scale)), path
+
+
+@contextmanager
+def about(key):
+    """Give a refusal that has no key of its own the key that it is about."""
+    try:
+        yield
+    except ShapeError as refusal:
+        raise ShapeError(refusal.sentence, refusal.key or key) from None
 
 
 def told(is_contour):

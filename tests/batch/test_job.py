@@ -106,6 +106,15 @@ def test_a_drawing_beside_the_job_is_its_contour(tmp_path):
     assert jobs.read(path).digest != job.digest
 
 
+@pytest.mark.skipif(importlib.util.find_spec("fontTools") is None, reason="needs the library fonttools")
+def test_a_text_that_cannot_be_drawn_is_refused(tmp_path):
+    written(tmp_path, b"no font", "a.ttf")
+    for text, key in ((" ", "text"), ("B", "text: the font "), ("B', size = 0, note = '", "note")):
+        with pytest.raises(jobs.JobError) as refusal:
+            jobs.read(written(tmp_path, START + f"contour = {{text = '{text}', font = 'a.ttf'}}"))
+        assert str(refusal.value).startswith(f"{tmp_path / 'job.toml'}:3: contour.{key}")
+
+
 @needs_svg
 @pytest.mark.parametrize("svg", ["", "<svg/>", "<svg xmlns='http://www.w3.org/2000/svg'></svg>", "\x00"])
 def test_a_drawing_without_an_outline_is_refused(tmp_path, svg):
