@@ -89,12 +89,26 @@ def fail(error):
     raise pytest.UsageError(f"the extension does not register: {error}") from error
 
 
-def pytest_unconfigure(config):
-    """Take the extension off: a handler left registered keeps the 4.5 wheel from ever exiting."""
-    if hasattr(config, "sweep_place"):
-        import addon_utils
+def pytest_sessionfinish(session, exitstatus):
+    session.config.sweep_status = int(exitstatus)
 
-        addon_utils.disable(EXTENSION, default_set=True)
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config):
+    """Take the extension off, and leave the wheel at once: the traceback of a failed test can hold what keeps 4.5 from
+    ever exiting, as a handler does that is left registered."""
+    if not hasattr(config, "sweep_place"):
+        return
+    import bpy
+
+    import addon_utils
+
+    addon_utils.disable(EXTENSION, default_set=True)
+    if not bpy.app.binary_path and hasattr(config, "sweep_status"):
+        shutil.rmtree(os.environ["BLENDER_USER_RESOURCES"], ignore_errors=True)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(config.sweep_status)
 
 
 def pytest_report_header(config):

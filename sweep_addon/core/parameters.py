@@ -195,7 +195,7 @@ def coerce_number(p, value):
 def coerce_array(p, value):
     try:
         array = value if isinstance(value, Array) else Array(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         array = None
     row = (p.columns,) if p.columns else ()
     fits = array is not None and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
@@ -230,7 +230,7 @@ def from_table(names, table, declared):
     with at("kind"):
         kind = pick(names, table.pop("kind", None))
     known = {q.name: q.default for q in declared(kind)}
-    for key in table.keys() - known:
+    for key in (key for key in table if key not in known):
         raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", key)
     return kind(**known | table)
 
