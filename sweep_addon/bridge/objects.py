@@ -172,7 +172,6 @@ def use(ob, parameter, curve):
     if parameter == "trajectory":
         curve.parent, curve.matrix_local = ob.parent, ob.matrix_local.copy()
         ob.parent = curve
-        ob.matrix_parent_inverse.identity()
         ob.matrix_basis.identity()
     else:
         place, turn, _ = ob.matrix_world.decompose()  # an outline is scaled as its object is, but not as the sweep is

@@ -102,6 +102,12 @@ def test_doubled_points_of_an_edited_polyline_are_one(scene):
     assert trajectory.points.values.tolist() == [[0, 0, 0], [0, 0, 1], [0, 1, 1]]
 
 
+def test_polyline_that_comes_back_to_its_start_keeps_its_last_leg(scene):
+    points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0]]
+    (trajectory,) = curves.trajectories(curve("POLY", points))
+    assert trajectory.points.values.tolist() == points and not trajectory.closed
+
+
 @pytest.mark.parametrize("kind", ["POLY", "NURBS", "BEZIER"])
 def test_curve_without_length_is_refused_by_name(scene, kind):
     ob = curve(kind, np.ones((4, 9 if kind == "BEZIER" else 3)), name="Speck")

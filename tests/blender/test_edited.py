@@ -9,6 +9,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 import bmesh
 from scenes import extent, parameters_of, select, sweep
 
+from sweep_addon.bridge import meshes
+
 
 def mode(name):
     bpy.ops.object.mode_set(mode=name)
@@ -68,12 +70,25 @@ def test_an_edit_of_faces_is_replaced_whole(ob):
     assert len(ob.data.polygons) == faces and extent(ob)[2] == 3
 
 
-def test_a_change_while_in_edit_mode_waits_for_its_end(ob):
+def test_an_edit_that_turns_faces_round_is_replaced_whole(ob):
+    """As many vertices and faces as before, in their places."""
+    corners = [loop.vertex_index for loop in ob.data.loops]
+    mode("EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.flip_normals()
+    mode("OBJECT")
+    assert ob.data.sweep.edited and [loop.vertex_index for loop in ob.data.loops] != corners
+    parameters_of(ob).twist_constant_value = 1
+    assert not ob.data.sweep.edited and [loop.vertex_index for loop in ob.data.loops] == corners
+
+
+def test_a_change_while_in_edit_mode_waits_for_its_end(ob, monkeypatch):
+    written, write = [], meshes.write
+    monkeypatch.setattr(meshes, "write", lambda mesh, *others: written.append(mesh.name) or write(mesh, *others))
     mode("EDIT")
     parameters_of(ob).contour_circle_radius = 1.5
     bpy.context.view_layer.update()
-    assert ob.data.is_editmode and len(bmesh.from_edit_mesh(ob.data).verts) == len(ob.data.vertices)
-    assert max(v.co.x for v in bmesh.from_edit_mesh(ob.data).verts) == pytest.approx(0.5)
+    assert written == [] and max(v.co.x for v in bmesh.from_edit_mesh(ob.data).verts) == pytest.approx(0.5)
     mode("OBJECT")
     assert extent(ob) == pytest.approx((3, 3, 2)) and not ob.data.sweep.edited
 

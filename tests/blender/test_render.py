@@ -10,7 +10,9 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import add, curve, extent, parameters_of, square, straight, sweep, text
+from scenes import add, curve, extent, parameters_of, places, square, straight, sweep, text
+
+import sweep_addon as sw
 
 FRAMES, PIXELS, FIELD = (1, 2, 3), 64, 4.0
 
@@ -125,3 +127,18 @@ def test_a_still_of_another_frame_leaves_the_shown_one(scene, render, tmp_path):
     bpy.ops.render.render(write_still=True)
     assert area(tmp_path / "still.png") == pytest.approx(np.pi, rel=0.03)
     assert parameters_of(ob).contour_circle_radius == 1 and extent(ob) == pytest.approx((2, 2, 2))
+
+
+def test_the_end_of_a_render_in_a_window_brings_the_shown_frame_back(scene):
+    """There, unlike in background, no change of frame follows the last picture."""
+    ob = sweep()
+    ob.data.keyframe_insert("sweep.generalized_cylinder.contour_circle_radius", frame=1)
+    last, shown = sweep(contour=sw.contours.Circle(2.0)), places(ob.data)
+    ends = [*bpy.app.handlers.render_complete, *bpy.app.handlers.render_cancel]
+    ends = [handler for handler in ends if handler.__module__.startswith("bl_ext.user_default.sweep_addon")]
+    assert len(ends) == 2
+    for end in ends:
+        ob.data.vertices.foreach_set("co", places(last.data).ravel())
+        ob.data.sweep.made = last.data.sweep.made
+        end(scene)
+        assert np.array_equal(places(ob.data), shown)
