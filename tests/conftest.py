@@ -24,6 +24,7 @@ from hypothesis import settings
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 EXTENSION = "bl_ext.user_default.sweep_addon"
+TEMPORARY = "sweep-tests-"  # how the name of a temporary user folder starts
 FULL = os.environ.get("SWEEP_FULL") == "1"
 
 settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=50)
@@ -35,7 +36,7 @@ def isolate_user_folder():
     """Give the Blender to come a user folder of its own: it reads these variables only when it starts."""
     folder = os.environ.get("SWEEP_BLENDER_USER")
     if not folder:
-        folder = tempfile.mkdtemp(prefix="sweep-tests-")
+        folder = tempfile.mkdtemp(prefix=TEMPORARY)
         atexit.register(shutil.rmtree, folder, ignore_errors=True)
     os.environ["BLENDER_USER_RESOURCES"] = folder
     os.environ.pop("BLENDER_USER_EXTENSIONS", None)
@@ -105,7 +106,8 @@ def pytest_unconfigure(config):
 
     addon_utils.disable(EXTENSION, default_set=True)
     if not bpy.app.binary_path and hasattr(config, "sweep_status"):
-        shutil.rmtree(os.environ["BLENDER_USER_RESOURCES"], ignore_errors=True)
+        if Path(os.environ["BLENDER_USER_RESOURCES"]).name.startswith(TEMPORARY):
+            shutil.rmtree(os.environ["BLENDER_USER_RESOURCES"], ignore_errors=True)
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(config.sweep_status)
