@@ -58,23 +58,20 @@ def as_shown(ob, depsgraph, read):
 
 
 def spline_loops(splines):
-    """Splines as closed loops of points (n, 2), curves flattened to a thousandth of the size of all."""
+    """Splines as closed loops of points (n, 2)."""
     made = [spline_trajectory(spline, spline.use_cyclic_u or spline.type == "POLY") for spline in splines]
-    made = [trajectory for trajectory in made if trajectory]
-    if not made:
-        return []
-    size = np.ptp(np.concatenate([trajectory.points.values for trajectory in made]), axis=0).max()
-    tolerance = Tolerance(max(size / 1000, 1e-9))
-    return [flattened(trajectory, tolerance) for trajectory in made]
+    return [flattened(trajectory) for trajectory in made if trajectory]
 
 
-def flattened(trajectory, tolerance):
-    """Points (n, 2) that keep the joints of a spline, and turn so little between them that no curve gets an edge."""
+def flattened(trajectory):
+    """Points (n, 2) within a thousandth of a spline's size, that keep its joints and turn too little for an edge."""
     measure = arc_length(trajectory)
+    size = np.ptp(trajectory.points.values, axis=0).max()
 
     def turning(s, chord):
         return np.linalg.norm(bend(trajectory, measure.parameter(s)), axis=1) / GENTLE
 
+    tolerance = Tolerance(max(size / 1000, 1e-9))
     return place(trajectory, tolerance, measure.at(trajectory.joints()), turning).points[:, :2]
 
 
