@@ -215,6 +215,9 @@ def stations(trajectory, s):
     arrive = np.roll(trajectory.tangents(entered, before=True), trajectory.closed, axis=0)
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
+    for lost, other in ((leave, arrive), (arrive, leave)):  # a direction is lost where rounding outweighs the speed
+        gone = ~lost.any(axis=1)
+        lost[gone] = other[gone]
     bends = bend(trajectory, u)
     turn = leave - arrive
     corner = np.linalg.norm(turn, axis=1) > SAME_DIRECTION

@@ -9,10 +9,14 @@ import numpy as np
 from ..parameters import require
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
+PANELS = 128  # at least
 CONVERGED = 1e-12  # of the whole length: the change of all panels when they are halved
+NOISE = 1e-9  # of the whole length: rounding is always less
+STILL = 1e-14  # of the whole length: a panel of less is a place where the trajectory stands still
 SHORTEST = 1e-12  # metres
-MOST_STEPS = 60  # of Newton's method: many only where the speed vanishes, and each of them nears by a third
-MOST_PANELS = 1 << 15  # a curve that has not converged by then has a cusp, which more panels do not mend
+EXACT = 1e-14  # of the whole length: how near a parameter is to its arc length
+FEW_STEPS, MOST_STEPS = 8, 60  # of Newton's method: more than a few only where the speed vanishes, or for rounding
+MOST_PANELS = 1 << 15  # more are taken as they are
 
 
 class ArcLength:
@@ -29,16 +33,28 @@ class ArcLength:
     def __init__(self, trajectory):
         self.trajectory = trajectory
         joints = trajectory.joints()
-        panels = max(4, -(-128 // (len(joints) - 1)))
-        nodes = subdivided(joints, panels)
-        pieces = self.measure(nodes[:-1], nodes[1:])
-        while len(nodes) <= MOST_PANELS:
-            coarse, nodes = pieces, subdivided(nodes, 2)
-            pieces = self.measure(nodes[:-1], nodes[1:])
+        start = subdivided(joints, max(4, -(-PANELS // (len(joints) - 1))))
+        start, end = start[:-1], start[1:]
+        pieces = self.measure(start, end)
+        kept, total, before = [], pieces.sum(), np.inf
+        while len(start) <= MOST_PANELS:
             # panel by panel: the errors of a closed curve's panels cancel in the sum long before they are small
-            if np.abs(pieces[::2] + pieces[1::2] - coarse).sum() <= CONVERGED * pieces.sum():
+            middle = (start + end) / 2
+            halves = np.stack((self.measure(start, middle), self.measure(middle, end)))
+            change = np.abs(halves.sum(axis=0) - pieces)
+            rough = change > CONVERGED * total / PANELS
+            start, pieces = np.stack((start, middle)), halves
+            kept.append((start[:, ~rough].ravel(), pieces[:, ~rough].ravel()))
+            start, pieces, end = start[:, rough].ravel(), pieces[:, rough].ravel(), np.append(middle[rough], end[rough])
+            noise = before / 2 < change.sum() < NOISE * total  # it does not shrink: it is rounding
+            before = change.sum()
+            if noise or not len(start):
                 break
-        self.nodes, self.lengths = nodes, np.concatenate(([0.0], np.cumsum(pieces)))
+        start, pieces = (np.concatenate(part) for part in zip(*kept, (start, pieces), strict=True))
+        pieces[pieces <= STILL * pieces.sum()] = 0.0
+        order = np.argsort(start)
+        self.nodes = np.append(start[order], joints[-1])
+        self.lengths = np.concatenate(([0.0], np.cumsum(pieces[order])))
         self.total = float(self.lengths[-1])
         require(self.total >= SHORTEST, f"must be at least {SHORTEST:g} m long", self.total)
 
@@ -55,22 +71,32 @@ class ArcLength:
         return self.lengths[panel] + self.measure(self.nodes[panel], u)
 
     def parameter(self, s):
-        """Parameters at arc lengths: (n,) to (n,), by Newton's method from a linear guess."""
+        """Parameters at arc lengths: (n,) to (n,), by Newton's method, and bisection where that leaves the panel."""
+        s = np.asarray(s, dtype=float)
         panel = np.clip(np.searchsorted(self.lengths, s, side="right") - 1, 0, len(self.nodes) - 2)
         low, high = self.nodes[panel], self.nodes[panel + 1]
-        span = self.lengths[panel + 1] - self.lengths[panel]
-        u = low + (high - low) * (s - self.lengths[panel]) / np.where(span, span, 1.0)
-        for _ in range(MOST_STEPS):
-            beyond = self.lengths[panel] + self.measure(low, u) - s
-            if np.abs(beyond).max(initial=0.0) <= 1e-14 * self.total:
+        start, reached = low.copy(), self.lengths[panel]
+        span = self.lengths[panel + 1] - reached
+        u = low + (high - low) * (s - reached) / np.where(span, span, 1.0)
+        todo = np.arange(len(s))
+        for step in range(MOST_STEPS):
+            beyond = reached[todo] + self.measure(start[todo], u[todo]) - s[todo]
+            missed = np.abs(beyond) > (EXACT if step < FEW_STEPS else CONVERGED) * self.total
+            if not missed.any():
                 break
-            speed = np.linalg.norm(self.trajectory.derivative(u), axis=1)
-            u = np.clip(u - beyond / np.where(speed, speed, np.inf), low, high)
+            todo, beyond = todo[missed], beyond[missed]
+            before = u[todo]
+            low[todo] = np.where(beyond < 0, before, low[todo])
+            high[todo] = np.where(beyond > 0, before, high[todo])
+            speed = np.linalg.norm(self.trajectory.derivative(before), axis=1)
+            after = before - beyond / np.where(speed, speed, np.inf)
+            inside = (low[todo] < after) & (after < high[todo])
+            u[todo] = np.where(inside, after, (low[todo] + high[todo]) / 2)
         return u
 
     def entered(self, u):
         """Parameters where the trajectory came to where it is at u: lower ones where it has stood still, (n,)."""
-        moved = np.concatenate(([True], np.diff(self.lengths) > CONVERGED * self.total))
+        moved = np.concatenate(([True], np.diff(self.lengths) > 0))
         if moved.all():
             return u
         came = np.maximum.accumulate(np.where(moved, np.arange(len(moved)), 0))
