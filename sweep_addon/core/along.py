@@ -61,7 +61,7 @@ class Along:
         return values[0] * taper, values[1] * taper, values[2]
 
     def marks(self):
-        """Arc lengths where a station must be: the starts of tapers, and where the scale changes its sign."""
+        """Arc lengths where a station must be: starts of tapers, points of no scale, and one between two of these."""
         total = left = arc_length(self.trajectory).total
         for key, length in zip(("start.length", "end.length"), self.tapers, strict=True):
             fits = length <= left + 1e-9 * total
@@ -69,7 +69,10 @@ class Along:
             left = max(left - length, 0.0)
         marks = [self.tapers[0], total - self.tapers[1]]
         if not self.is_constant:
-            marks.extend(self.crossings())
+            points = np.concatenate(([0.0], self.crossings(), [total]))
+            flat = np.abs(self.at(points)[0]) <= NOTHING * self.largest
+            bodies = (points[1:] + points[:-1])[flat[1:] & flat[:-1]] / 2
+            marks.extend((*points, *bodies))
         return tuple(mark for mark in marks if 0.0 < mark < total)
 
     @property

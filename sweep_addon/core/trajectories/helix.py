@@ -9,6 +9,8 @@ import numpy as np
 from ..parameters import declared, length, parameter, require
 from .curve import Trajectory
 
+FLAT = 1e-6  # of the radius: less rise is none in single precision
+
 
 @declared
 class Helix(Trajectory):
@@ -29,8 +31,9 @@ class Helix(Trajectory):
     turns: float = parameter(5.0, "Number of turns", above=0.0, maximum=10_000.0, soft_maximum=50.0)
 
     def check(self):
-        rises = self.pitch != 0 or self.turns < 1
-        require(rises, "must not be 0 for a whole turn or more, which would lie on itself", self.pitch, "pitch")
+        least = FLAT * self.radius
+        rises = self.turns < 1 or abs(self.pitch) >= least
+        require(rises, f"must be at least {least:g} in size, or a whole turn lies on itself", self.pitch, "pitch")
 
     @property
     def domain(self):
