@@ -17,6 +17,7 @@ FLOOR = 0.05  # of the mean density, so that no step grows without bound where t
 CELLS = 2048  # at least, in which the curvature is looked at
 RESERVE = 0.98  # of the tolerance, for what the curvature changes within a step
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
+NOISE = 64 * np.finfo(float).eps  # of the largest derivative: the rounding of any
 ROUNDING = 1e-13  # of the length: differences over less are noise
 
 
@@ -197,12 +198,18 @@ def pieces(ends, steps, arc_lengths):
 
 
 def bend(trajectory, u, before=False):
-    """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared."""
+    """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared.
+
+    Where p' nearly vanishes, as beside a Bezier knot whose handle lies on it, rounding turns it, and with it a part of
+    p'' across: what is no more than that is no bend.
+    """
     first, second = trajectory.derivative(u, 1, before), trajectory.derivative(u, 2, before)
     squared = np.einsum("ij,ij->i", first, first)[:, None]
     squared = np.where(squared > 0, squared, np.inf)
-    along = np.einsum("ij,ij->i", first, second)[:, None]
-    return (second - along / squared * first) / squared
+    across = second - np.einsum("ij,ij->i", first, second)[:, None] / squared * first
+    noise = NOISE * np.abs(first).max(initial=0.0) * np.linalg.norm(second, axis=1) / np.sqrt(squared[:, 0])
+    across[np.linalg.norm(across, axis=1) <= noise] = 0.0
+    return across / squared
 
 
 def stations(trajectory, s):
