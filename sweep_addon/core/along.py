@@ -148,11 +148,12 @@ def tips(scale_x, scale_y, largest, closed):
     require(x.any(), "must not be 0 everywhere", 0, "scale_x")
     following = np.roll(x, -1)
     following[-1] = x[0] if closed else x[-2]
-    mirrored = bool((x * y).min() < 0)
+    side = x * y
+    first = side[np.argmax(side != 0)]
     for key, sentence, wrong in (
         ("scale_x", "must not be 0 where scale_y is not", (x == 0) & (y != 0)),
         ("scale_y", "must not be 0 where scale_x is not", (y == 0) & (x != 0)),
-        ("scale_y", "must not change its sign against scale_x", x * y == (1 if mirrored else -1)),
+        ("scale_y", "must not change its sign against scale_x", side * first < 0),
         ("scale_x", "must not stay 0 along a stretch", (x == 0) & (following == 0)),
         ("scale_x", "must reach 0 where it changes its sign", x * following < 0),
     ):
@@ -160,4 +161,4 @@ def tips(scale_x, scale_y, largest, closed):
             contour = int(np.argmax(wrong))
             got = (scale_x if key == "scale_x" else scale_y)[contour]
             raise ShapeError(f"{sentence}, got {got:.6g} at contour {contour + 1}", key)
-    return x == 0, mirrored
+    return x == 0, bool(first < 0)

@@ -58,7 +58,8 @@ class Frenet:
             place = stations.u[np.argmax(~curved if not curved.all() else flips)]
             told = (f"Frame: the curvature vanishes near u = {place:.4g}, where the Frenet frame is not defined.",)
             if self.continuation is Continuation.REFUSE:
-                raise ShapeError(f"must be another where the curvature vanishes, as near u = {place:.4g}", "frame")
+                sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place:.4g}"
+                raise ShapeError(sentence, "frame.continuation")
         if self.continuation is Continuation.SMOOTH:
             filled = fill(stations, found, curved, holonomy, half=True)
         return filled, told

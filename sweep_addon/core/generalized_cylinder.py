@@ -83,7 +83,7 @@ class GeneralizedCylinder:
         reach = float(np.linalg.norm(section.points, axis=1).max())
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         vertices = len(stations.s) * len(section.points)
-        require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", f"{vertices:,}", "samples")
+        require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
 
         scale_x, scale_y, twist = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)

@@ -133,9 +133,9 @@ def test_a_glyph_swept_has_the_genus_it_gives(glyph, frame):
 @pytest.mark.parametrize("contour", [Circle(0.3, points=16), Rectangle(0.3, 0.5), Rectangle(0.2, 0.6, 0.1)])
 @pytest.mark.parametrize("trajectory", [TorusKnot(2, 3, 2.0, 0.8), Helix(2.0, 3.0, 2.0)])
 def test_volume_is_the_area_of_the_contour_times_the_length_of_the_trajectory(trajectory, contour, tolerance):
-    """Weyl 1939, if the contour's centroid is on the trajectory. With steps h over curvature k the chords lack k^2 h^2/24
-    of the length, and contours across the tangent, k h / 2 aslant to them, k^2 h^2 / 8 of the area: k^2 h^2 / 6 together,
-    where the sampling holds k h^2 to 8 tolerances or, at a turn of 30 degrees, k h to pi / 6."""
+    """Weyl 1939, if the contour's centroid is on the trajectory. With steps h over curvature k the chords lack a 24th
+    of (k h)^2 of the length, and contours across the tangent, k h / 2 aslant to them, an 8th of it of the area: a 6th
+    together, where the sampling holds k h^2 to 8 tolerances or, at a turn of 30 degrees, k h to pi / 6."""
     mesh = GeneralizedCylinder(contour, trajectory, Tolerance(tolerance)).mesh()
     sharpest = np.linalg.norm(bend(trajectory, np.linspace(*trajectory.domain, 10_001)), axis=1).max()
     lacking = 1 - mesh.volume() / (contour.section().area * trajectory.length())
@@ -144,7 +144,7 @@ def test_volume_is_the_area_of_the_contour_times_the_length_of_the_trajectory(tr
 
 @pytest.mark.parametrize("scale", ["1 + t", "2 - 3*t + 2*t^2", "exp(-t)"])
 def test_a_straight_sweep_has_the_volume_of_its_section_along_it(scale):
-    """Cavalieri; between contours a scale is straight, off by scale'' h^2 / 8 at most, which is the tolerance by reach."""
+    """Cavalieri; between contours a scale is straight, off by the tolerance over the reach at most."""
     mesh = GeneralizedCylinder(Circle(0.5), Line(end=(0, 0, 2)), Tolerance(1e-6), scale_x=scale, scale_y=scale).mesh()
     t = np.linspace(0, 1, 20_001)
     squared = compile(scale, ["t"]).evaluate(t=t) ** 2

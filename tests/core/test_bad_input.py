@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input is refused in one sentence: the parameter, what would do, and what was given."""
+
+from math import inf, nan
+
+import numpy as np
+import pytest
+
+from sweep_addon.core.contours import Circle, Outline, Rectangle
+from sweep_addon.core.digest import digest
+from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.parameters import Array, ShapeError
+from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+
+SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
+S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
+THERE, BACK = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0)], [(2, 0, 0), (1, 0, 0)]
+CUSP = [(0, 0, 0), (1, 1, 0), (0, 1, 0), (1, 0, 0)]
+
+
+def taper(length):
+    return {"kind": "taper", "length": length}
+
+
+def count(contours):
+    return {"kind": "count", "contours": contours}
+
+
+VALUES = {  # refused when it is made
+    "radius: must be more than 0, got 0": (Circle, 0),
+    "radius: must be more than 0, got -1": (Circle, -1),
+    "radius: must be a number, got nan": (Circle, nan),
+    "radius: must be a number, got '1 mm'": (Circle, "1 mm"),
+    "radius: must be a number, got True": (Circle, True),
+    "radius: must be at most 1e+12 in size, got 1e+300": (Circle, 1e300),
+    f"radius: must be at most 1e+12 in size, got 1{'0' * 56}...": (Circle, 10**400),
+    "points: must be at least 3, got 2": (Circle, 1, 2),
+    "points: must be a whole number, got 3.5": (Circle, 1, 3.5),
+    "points: must be at most 4096, got 1000000000": (Circle, 1, 10**9),
+    "rounding: must be at most 0.5, half the shorter side, got 0.6": (Rectangle, 1, 2, 0.6),
+    "loops: must have at least 3 different points, got 2": (Outline, [SQUARE[:2]]),
+    "loops: must enclose an area, got 3 points on one line": (Outline, [[(0, 0), (1, 0), (2, 0)]]),
+    "loops: must not cross or touch itself, got a crossing near (0.5, 0.5)": (
+        Outline, [[(0, 0), (1, 1), (1, 0), (0, 1)]]
+    ),
+    "loops: loops 0 and 1 must not cross or touch each other, got a crossing near (3, 1)": (
+        Outline, [SQUARE, [(1, 1), (4, 1), (4, 2), (1, 2)]]
+    ),
+    "loops: must have finite numbers up to 1e+12 in size, got nan in row 2": (Outline, [[(0, 0), (nan, 0), (1, 1)]]),
+    "points: must have at least 2 points, got 1": (Polyline, THERE[:1]),
+    "points: must have at least 3 points, got 2": (Polyline, THERE[:2], True),
+    "points: must not be where the next one is, got point 2 at [1.0, 0.0, 0.0]": (
+        Polyline, [(0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 1, 0)]
+    ),
+    "points: must not be where the next one is, got point 3 at [0.0, 0.0, 0.0]": (
+        Polyline, [(0, 0, 0), (1, 1, 0), (0, 0, 0)], True
+    ),
+    "points: must not turn back on itself, got point 2 at [1.0, 0.0, 0.0]": (Polyline, [*THERE[:2], (0.5, 0, 0)]),
+    "points: must not turn back on itself, got point 1 at [0.0, 0.0, 0.0]": (Polyline, THERE, True),
+    "points: must have finite numbers up to 1e+12 in size, got nan in row 5": (Polyline, [*THERE, (0, 1, nan)]),
+    "points: must have finite numbers up to 1e+12 in size, got -inf in row 5": (Polyline, [*THERE, (0, -inf, 0)]),
+    "points: must have finite numbers up to 1e+12 in size, got 1e+13 in row 5": (Polyline, [*THERE, (0, 1e13, 0)]),
+    "points: must be a list of 3 numbers each, got [(0, 0), (1, 1)]": (Polyline, [(0, 0), (1, 1)]),
+    "points: must be a list of 3 numbers each, got [(0, 0, 0), (1, 0)]": (Polyline, [(0, 0, 0), (1, 0)]),
+    "points: must be a list of 3 numbers each, got [('0', '0', '1')]": (Polyline, [("0", "0", "1")]),
+    "points: must be a list of 3 numbers each, got [(0, 0, None)]": (Polyline, [(0, 0, None)]),
+    "points: must be a list of 3 numbers each, got 'points'": (Polyline, "points"),
+    "end: must differ from the start, got [1.0, 2.0, 3.0]": (Line, (1, 2, 3), (1, 2, 3)),
+    "end: must be a list of 3, got (1, 2)": (Line, (1, 2, 3), (1, 2)),
+    "points: must be 1 more than a multiple of 3: knot, handle, handle, ..., got 5": (Bezier, [*THERE, (4, 0, 0)]),
+    "points: must be a multiple of 3: knot, handle, handle, ..., got 4": (Bezier, THERE, True),
+    "points: must have no segment without length, got segment 2": (Bezier, [*THERE, *[(3, 0, 0)] * 3]),
+    "points: must not turn back on itself, got a cusp at u = 0.5": (Bezier, CUSP),
+    "order: must be at most 2, the number of control points, got 4": (Nurbs, THERE[:2]),
+    "points: must not all be in one place, got [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0,...": (
+        Nurbs, [(0, 0, 0)] * 5
+    ),
+    "weights: must all be more than 0, got [1.0, 1.0, 0.0, 1.0]": (Nurbs, THERE, [1, 1, 0, 1]),
+    "weights: must be 4 numbers, one a control point, got 2": (Nurbs, THERE, [1, 1]),
+    "knots: must be 8 numbers, got 2": (Nurbs, THERE, (), 4, [0, 1]),
+    "knots: must not fall, got [0.0, 1.0, 2.0, 3.0, 2.0, 5.0, 6.0, 7.0]": (
+        Nurbs, THERE, (), 4, [0, 1, 2, 3, 2, 5, 6, 7]
+    ),
+    "turns: must be at most 10000, got 1e+09": (Helix, 1.0, 0.5, 1e9),
+    "pitch: must be at least 1e-06 in size, or a whole turn lies on itself, got 0": (Helix, 1.0, 0.0, 1.0),
+    "q: must share no factor with p, which is 2, got 4": (TorusKnot, 2, 4),
+}  # fmt: skip
+
+SHAPES = {  # refused when the shape is made, or its mesh
+    "contour: must be one of circle, rectangle, outline, got 'square'": {"contour": "square"},
+    "contour.radus: is no parameter of Circle, which has radius, points": {"contour": {"kind": "circle", "radus": 1}},
+    "contour.kind: must be one of circle, rectangle, outline, got None": {"contour": {"radius": 1}},
+    "contour: must reach 2.5e-12 m or more on this trajectory, got 1e-14": {"contour": Circle(1e-14)},
+    "trajectory: must be at least 1e-12 m long, got 1e-13": {"trajectory": Line(end=(0, 0, 1e-13))},
+    "trajectory: must not turn back on itself, got a reversal at u = 1": {
+        "trajectory": Bezier([*THERE, *BACK, (0, 0, 0)])
+    },
+    "trajectory: must not turn back on itself, got a reversal at u = 0": {
+        "trajectory": Bezier(THERE + BACK, closed=True)
+    },
+    "trajectory: must not turn back on itself, got a reversal at u = 3": {
+        "trajectory": Nurbs([*THERE, *BACK], order=2)
+    },
+    "samples.contours: must be at most 200000, got 1000000000": {"samples": count(10**9)},
+    "samples.contours: must be at least 2, got 1": {"samples": count(1)},
+    "samples: must make at most 20,000,000 vertices, got 819200000": {
+        "contour": Circle(1, 4096), "samples": count(200_000)
+    },
+    "frame: must be one of rotation-minimizing, frenet, fixed-up, got 'up'": {"frame": "up"},
+    "frame.up: must have a length, got [0.0, 0.0, 0.0]": {"frame": {"kind": "fixed-up", "up": (0, 0, 0)}},
+    "frame.extra_turns: must be at most 1000, got 1000000": {
+        "frame": {"kind": "rotation-minimizing", "extra_turns": 10**6}
+    },
+    "frame.continuation: must be smooth or exact where the curvature vanishes, got refuse near u = 0.5": {
+        "trajectory": S_CURVE, "samples": count(3), "frame": {"kind": "frenet", "continuation": "refuse"}
+    },
+    "scale_x: must be finite everywhere, got inf": {"scale_x": "9**9**9**9"},
+    "scale_x: must be a number, got inf": {"scale_x": inf},
+    "scale_x: must be finite everywhere, got inf at u = 1, t = 1, s = 1": {"trajectory": Line(), "scale_x": "1/(1-t)"},
+    "scale_x: must be at most 1e+12 in size, got 1e+300": {"scale_x": "1e300*t"},
+    "twist: must be at most 1e+12 in size, got 1e+300": {"twist": "1e300*t"},
+    "scale_x: must not be 0 everywhere, got 0": {"scale_x": 0, "scale_y": 0},
+    "scale_y: must not be 0 where scale_x is not, got 0 at contour 1": {"scale_y": "t"},
+    "scale_y: must not change its sign against scale_x, got -1 at contour 2": {
+        "trajectory": Line(), "scale_y": "1-2*t"
+    },
+    "scale_x: must not stay 0 along a stretch, got 0 at contour 1": {
+        "scale_x": "max(0, t-0.5)", "scale_y": "max(0, t-0.5)"
+    },
+    "scale_x: must reach 0 where it changes its sign, got -1 at contour 2": {
+        "samples": count(5), "scale_x": "if(t<0.6,-1,1)", "scale_y": "if(t<0.6,-1,1)"
+    },
+    "scale_y: must be the same at both ends of a closed trajectory, 1, got 2": {
+        "trajectory": TorusKnot(), "scale_y": "1+t"
+    },
+    "twist: must grow by whole turns along a closed trajectory, got 0.5 turns": {
+        "trajectory": TorusKnot(), "twist": "pi*t"
+    },
+    "start.length: must be more than 0, got 0": {"start": taper(0)},
+    "end.length: must be at most 1, what is left of the trajectory, got 2": {"trajectory": Line(), "end": taper(2)},
+    "end.length: must be at most 0.25, what is left of the trajectory, got 0.5": {
+        "trajectory": Line(), "start": taper(0.75), "end": taper(0.5)
+    },
+}  # fmt: skip
+
+BEGINNINGS = {  # of sentences that go on with a count or with what the language has
+    "samples.chord: must be larger, or the sweep turn less: it needs ": {
+        "trajectory": Helix(1000.0),
+        "samples": {"kind": "tolerance", "chord": 1e-9},
+    },
+    "samples.chord: must be larger, or the sweep turn less: it needs 3,": {"twist": "1e9*t"},
+    "scale_x: must be an expression of u, t, s: it is 20001 characters long": {
+        "scale_x": "(" * 10_000 + "1" + ")" * 10_000
+    },
+    "scale_x: must be an expression of u, t, s: 'radius' at character 1 is no name": {"scale_x": "radius"},
+    "scale_x: must be an expression of u, t, s: '.' at character 2 ": {"scale_x": "t.__class__"},
+    "scale_x: must be an expression of u, t, s: '__import__' at character 1 ": {"scale_x": "__import__('os')"},
+}
+
+
+def refusal(make):
+    with pytest.raises(ShapeError) as caught:
+        make()
+    sentence = str(caught.value)
+    assert "\n" not in sentence and (", got " in sentence or "is no parameter of" in sentence)
+    return sentence
+
+
+@pytest.mark.parametrize("sentence", VALUES)
+def test_a_value_that_will_not_do_is_refused_when_it_is_made(sentence):
+    kind, *values = VALUES[sentence]
+    assert refusal(lambda: kind(*values)) == sentence
+
+
+@pytest.mark.parametrize("sentence", SHAPES)
+def test_a_shape_that_will_not_do_is_refused(sentence):
+    assert refusal(lambda: GeneralizedCylinder(**SHAPES[sentence]).mesh()) == sentence
+
+
+@pytest.mark.parametrize("beginning", BEGINNINGS)
+def test_a_refusal_says_how_much_is_too_much(beginning):
+    assert refusal(lambda: GeneralizedCylinder(**BEGINNINGS[beginning]).mesh()).startswith(beginning)
+
+
+def test_a_long_list_is_refused_by_its_wrong_row():
+    points = np.zeros((100_000, 3))
+    points[:, 2] = np.arange(100_000)
+    points[77_776, 1] = nan
+    for given in (points, points.tolist()):
+        assert refusal(lambda given=given: Polyline(given)).endswith("got nan in row 77777")
+
+
+def test_a_loop_outside_its_outline_is_an_island():
+    """By the even-odd rule nothing is a hole but what lies inside."""
+    outline = Outline([SQUARE, [(5, 0), (6, 0), (6, 1), (5, 1)]])
+    assert outline.section().area == 10 and outline.section().islands == ((0,), (1,))
+
+
+def test_arrays_cannot_be_changed_and_do_not_change_with_what_they_were_made_of():
+    given = np.array([(0.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
+    line = Polyline(given)
+    given[0] = 9
+    assert line == Polyline([(0, 0, 0), (0, 0, 1)])
+    with pytest.raises(ValueError, match="read-only"):
+        line.points.values[0] = 9
+
+
+def test_equal_values_have_equal_hashes_and_digests():
+    for one, other in (
+        (Line(end=(0, 0, 1)), Line(end=(-0.0, 0, 1.0))),
+        (Polyline([(0, 0, 0), (0, 0, 1)]), Polyline([(0, -0.0, 0), (0, 0, 1)])),
+        (GeneralizedCylinder(scale_x="1"), GeneralizedCylinder(scale_x={"kind": "formula", "text": "1"})),
+    ):
+        assert one == other and hash(one) == hash(other) and digest(one) == digest(other)
+    assert Array([1, 2]) != Array([[1, 2]]) and digest(Circle(1)) != digest(Circle(1 + 1e-15))
