@@ -15,12 +15,7 @@ INPUTS = {"CURVE", "FONT"}
 @persistent
 def after_update(scene, depsgraph):
     """An input object was edited or moved, a driver's input moved, or a mesh was edited by hand."""
-    updates = depsgraph.updates
-    found = {update.id.original for update in updates if isinstance(update.id, bpy.types.Mesh)}
-    found |= users_of(changed_inputs(updates))
-    for mesh in found:
-        if mesh.sweep.kind == "NONE":
-            continue
+    for mesh in touched(depsgraph.updates):
         rebuild(mesh, depsgraph)
         if mesh.is_editmode:
             set_if_other(mesh.sweep, "edited", True)
@@ -31,9 +26,8 @@ def after_update(scene, depsgraph):
 
 @persistent
 def after_frame(scene, depsgraph):
-    """Time has passed: parameters with keyframes or drivers, and sweeps of animated input objects."""
-    moving = {mesh for mesh in bpy.data.meshes if mesh.animation_data and mesh.sweep.kind != "NONE"}
-    for mesh in moving | users_of(changed_inputs(depsgraph.updates)):
+    """Time has passed: keyframes and drivers have touched meshes, or the input objects of sweeps."""
+    for mesh in touched(depsgraph.updates):
         rebuild(mesh, depsgraph)
 
 
@@ -43,6 +37,12 @@ def after_render(scene, *_):
     for mesh in bpy.data.meshes:
         if mesh.sweep.kind != "NONE" and (mesh.animation_data or inputs(mesh)):
             rebuild(mesh)
+
+
+def touched(updates):
+    """The sweeps that were updated themselves, or whose input objects were."""
+    meshes = {update.id.original for update in updates if isinstance(update.id, bpy.types.Mesh)}
+    return {mesh for mesh in meshes if mesh.sweep.kind != "NONE"} | users_of(changed_inputs(updates))
 
 
 def changed_inputs(updates):
