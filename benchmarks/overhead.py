@@ -73,7 +73,7 @@ def main():
         ["importing NumPy", short(imported), ""],
         ["enabling the extension after that", short(enabled), verdict(enabled, 30, " ms")],
         [f"a frame of a scene with {SWEEPS} sweeps, disabled", short(off), ""],
-        ["the same, enabled", short(on), f"{100 * (on / off - 1):+.1f} %"],
+        ["the same, enabled", short(on), f"{on - off:+.3f} ms: {2.4 * (on - off):+.2f} % of a frame at 24 a second"],
     ]
     tell(INTRODUCTION + "\n" + table(("", "ms", "target"), rows))
 
