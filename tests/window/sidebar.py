@@ -10,6 +10,7 @@ import numpy as np
 from _window import run
 
 ADD, SWEEP_SELECTED, RADIUS, POINTS = (0.25, 46), (0.7, 46), (0.55, 141), (0.55, 162)  # read off a picture
+COPY_AS_PYTHON, COPY_AS_JOB = (0.25, 437), (0.75, 437)
 FIRST_ENTRY = 24  # pixels from the menu's button down to its first line
 
 
@@ -40,6 +41,10 @@ def sidebar(person):
     mesh = sweeps()[0].data
     assert close(wire_radius(mesh), 0.1)
     yield from person.picture("3-added")
+
+    for place, words in ((COPY_AS_PYTHON, "sw.to_object("), (COPY_AS_JOB, 'kind = "generalized-cylinder"')):
+        yield from person.click(*person.top(*place))
+        assert words in bpy.context.window_manager.clipboard
 
     yield from person.drag(*person.top(*RADIUS), right=40)
     dragged = wire_radius(mesh)
