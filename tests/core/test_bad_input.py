@@ -11,7 +11,7 @@ from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.digest import digest
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import Array, ShapeError
-from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 
 SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
 S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
@@ -82,6 +82,8 @@ VALUES = {  # refused when it is made
     "knots: must not fall, got [0.0, 1.0, 2.0, 3.0, 2.0, 5.0, 6.0, 7.0]": (
         Nurbs, THERE, (), 4, [0, 1, 2, 3, 2, 5, 6, 7]
     ),
+    "angle: must be more than 0, got 0": (Arc, 1.0, 0),
+    "angle: must be at most 6.28319, got 6.2832": (Arc, 1.0, 6.2832),
     "turns: must be at most 10000, got 1e+09": (Helix, 1.0, 0.5, 1e9),
     "pitch: must be at least 1e-06 in size, or a whole turn lies on itself, got 0": (Helix, 1.0, 0.0, 1.0),
     "q: must share no factor with p, which is 2, got 4": (TorusKnot, 2, 4),

@@ -11,7 +11,7 @@ import pytest
 
 from sweep_addon.core.expressions import compile
 from sweep_addon.core.sampling import Tolerance, place
-from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 
 KNOTS = json.loads((Path(__file__).parents[1] / "data" / "knots.json").read_text())["knots"]
@@ -24,6 +24,7 @@ SEMICUBICAL = Bezier([(0, 0, 0), (0, 0, 0), (1 / 3, 0, 0), (1, 1, 0)])  # (u^2, 
 PARABOLA = Bezier([(0, 0, 0), (1 / 3, 0, 0), (2 / 3, 1 / 3, 0), (1, 1, 0)])  # (u, u^2, 0)
 EVERY = {
     "line": Line((1, 2, 3), (-1, 0, 5)),
+    "arc": Arc(2.0, 4.0),
     "helix": Helix(2.0, -0.7, 1.3),
     "knot": TorusKnot(3, 4, 2.0, 0.7),
     "polyline": Polyline(POINTS, closed=True),
@@ -65,6 +66,7 @@ def test_derivatives_are_those_of_the_points(name, order):
     ("trajectory", "length"),
     [
         (Line((1, 2, 3), (3, 5, 9)), 7.0),
+        (Arc(3.0, 0.5), 1.5),
         (Helix(3.0, 8 * pi, 2.5), 25 * pi),
         (Helix(1.0, 0.3, 10_000.0), 10_000 * hypot(2 * pi, 0.3)),
         (CIRCLE, 2 * pi),
@@ -100,6 +102,19 @@ def test_a_parameter_found_for_an_arc_length_is_there(trajectory):
     s = np.linspace(0, measure.total, 1003)
     assert np.abs(measure.at(measure.parameter(s)) - s).max() < 1e-13 * measure.total
     assert (np.diff(measure.parameter(s)) > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("angle", "closed"), [(1e-3, False), (pi, False), (6.28, False), (6.283185, True), (2 * pi, True)]
+)
+def test_an_arc_starts_on_x_and_closes_after_a_full_turn(angle, closed):
+    """Also one that is a turn to the digits that single precision has."""
+    arc = Arc(2.0, angle)
+    ends = arc.evaluate(np.array(arc.domain))
+    assert arc.closed == closed
+    assert np.abs(ends[0] - (2, 0, 0)).max() == 0
+    assert np.abs(ends[1] - (2 * np.cos(angle), 2 * np.sin(angle), 0)).max() < 1e-6
+    assert (np.abs(ends[1] - ends[0]).max() < 1e-15) == closed
 
 
 def test_nine_weighted_points_make_a_circle():
@@ -160,6 +175,7 @@ def test_a_torus_knot_is_that_of_the_collection():
         (Bezier([(0, 0, 0), (0, 0, 1), (0, 1, 2), (0, 2, 2), (0, 2, 2), (0, 2, 2), (0, 2, 5)]), [1]),
         (Nurbs([(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 1, 0), (4, 2, 0), (5, 2, 0)], order=2), [2, 4]),
         (TorusKnot(), []),
+        (Arc(1.0, 2 * pi), []),
         (CIRCLE, []),
     ],
 )

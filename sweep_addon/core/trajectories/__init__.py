@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Trajectories: the curves along which a generator moves."""
 
+from .arc import Arc
 from .bezier import Bezier
 from .helix import Helix
 from .line import Line
@@ -9,6 +10,6 @@ from .nurbs import Nurbs
 from .polyline import Polyline
 from .torus_knot import TorusKnot
 
-Trajectory = Line | Helix | TorusKnot | Polyline | Bezier | Nurbs
+Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs
 
-__all__ = ["Bezier", "Helix", "Line", "Nurbs", "Polyline", "TorusKnot", "Trajectory"]
+__all__ = ["Arc", "Bezier", "Helix", "Line", "Nurbs", "Polyline", "TorusKnot", "Trajectory"]

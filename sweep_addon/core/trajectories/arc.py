@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A circular trajectory."""
+
+from math import pi, tau
+
+import numpy as np
+
+from ..parameters import angle, declared, length
+from .curve import Trajectory
+
+WHOLE = 1e-6  # radians: an arc this near to a full turn is one, for single precision writes no turn exactly
+
+
+@declared
+class Arc(Trajectory):
+    """A part of a circle about the z axis, or all of it
+
+    u is the angle in radians, from 0 on the x axis. A full turn is closed.
+
+    Examples
+    --------
+    >>> from math import pi, tau
+    >>> round(Arc(radius=2.0, angle=pi).length() / tau, 12)
+    1.0
+    >>> Arc(angle=pi).closed, Arc(angle=tau).closed
+    (False, True)
+    """
+
+    radius: float = length(1.0, "Distance from the axis")
+    angle: float = angle(pi, "How far it turns; a full turn is closed", above=0.0, maximum=tau)
+
+    @property
+    def closed(self):
+        return self.angle >= tau - WHOLE
+
+    @property
+    def domain(self):
+        return 0.0, tau if self.closed else self.angle
+
+    def evaluate(self, u):
+        return self.derivative(u, 0)
+
+    def derivative(self, u, order=1, before=False):
+        phase = np.asarray(u, dtype=float) + order * pi / 2
+        return self.radius * np.stack((np.cos(phase), np.sin(phase), np.zeros_like(phase)), axis=1)
