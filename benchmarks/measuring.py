@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 def medians(actions, repeats):
-    """The median milliseconds of each action.
+    """The median milliseconds of each action: done after the others, and done again.
 
     Parameters
     ----------
@@ -21,23 +21,28 @@ def medians(actions, repeats):
 
     Returns
     -------
-    dict of float
+    after, again : dict of float
+        The first time of a turn also meets what the action before it left in caches and in memory; the second is what
+        a slider does that is being dragged.
 
-    The actions take turns, so that whatever else the machine is doing falls on all of them alike. A turn is the same
-    action twice, of which the second counts, as while a slider is dragged: the first would also measure what the
-    action before it left in the caches. What they hold is frozen: else Python would search the million lists of one
-    peer for garbage in the turn of another.
+    The actions take turns, so that whatever else the machine is doing falls on all of them alike. What they hold is
+    frozen: else Python would search the million lists of one peer for garbage in the turn of another.
     """
     gc.collect()
     gc.freeze()
-    taken = {name: [] for name in actions}
+    after, again = ({name: [] for name in actions} for _ in range(2))
     for number in range(repeats + 1):
         for name, action in actions.items():
-            action(2 * number)
-            start = time.perf_counter()
-            action(2 * number + 1)
-            taken[name].append(1000 * (time.perf_counter() - start))
-    return {name: statistics.median(times[1:]) for name, times in taken.items()}
+            after[name].append(timed(action, 2 * number))
+            again[name].append(timed(action, 2 * number + 1))
+    return tuple({name: statistics.median(times[1:]) for name, times in taken.items()} for taken in (after, again))
+
+
+def timed(action, number):
+    """The milliseconds of an action."""
+    start = time.perf_counter()
+    action(number)
+    return 1000 * (time.perf_counter() - start)
 
 
 def table(titles, rows):
@@ -54,7 +59,7 @@ def short(number):
 
 def verdict(value, target, unit=""):
     """What was asked for, and whether it was reached."""
-    return f"at most {target:g}{unit}: {'reached' if value <= target else 'missed'}"
+    return f"{short(value)}{unit}, at most {target:g}{unit} asked: {'reached' if value <= target else 'missed'}"
 
 
 def tell(text):

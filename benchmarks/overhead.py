@@ -15,7 +15,7 @@ import addon_utils
 from bl_ext.user_default import sweep_addon as sw
 
 NAME = "bl_ext.user_default.sweep_addon"
-STARTS, ROUNDS, FRAMES, SWEEPS = 9, 41, 25, 200
+STARTS, ROUNDS, FRAMES, SWEEPS = 15, 41, 25, 200
 INTRODUCTION = f"""
 ### Overhead
 
