@@ -9,7 +9,7 @@ has shrunk to nothing is one vertex, a tip, behind all the others.
 
 import zlib
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from hashlib import blake2b
 
 import numpy as np
@@ -53,12 +53,14 @@ class Grid:
     def columns(self):
         return self.offsets[-1]
 
-    @property
+    @cached_property
     def whole(self):
         """The stations whose ring is a ring."""
-        return np.setdiff1d(np.arange(self.rings), self.tips)
+        whole = np.full(self.rings, True)
+        whole[list(self.tips)] = False
+        return np.flatnonzero(whole)
 
-    @property
+    @cached_property
     def following(self):
         following = np.arange(1, self.columns + 1)
         following[np.array(self.offsets[1:]) - 1] = self.offsets[:-1]
@@ -68,7 +70,9 @@ class Grid:
         """Pairs of neighbouring stations (b, 2), and which bands have a tip below and above."""
         start = np.arange(self.rings if self.closed else self.rings - 1)
         pairs = np.stack((start, (start + 1) % self.rings), axis=1)
-        pinched = np.isin(pairs, self.tips)
+        tip = np.full(self.rings, False)
+        tip[list(self.tips)] = True
+        pinched = tip[pairs]
         return pairs, pinched[:, 0], pinched[:, 1]
 
     def topology(self):
