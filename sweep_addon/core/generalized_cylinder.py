@@ -9,10 +9,11 @@ import numpy as np
 
 from . import caps
 from .along import Along, tapers, tips
+from .chart import Chart, lengths_around
 from .contours import Circle, Contour
 from .ends import End, Flat, Taper
 from .frames import Frame, RotationMinimizing, axes
-from .grid import Chart, Grid, lengths_around
+from .grid import Grid
 from .laws import Law
 from .mesh import Mesh
 from .parameters import angle, at, declared, parameter, require

@@ -1,13 +1,12 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The grid that a contour leaves behind: faces, edges and texture of columns and rings, known without a search.
+"""The grid that a contour leaves behind: faces and edges of columns and rings, known without a search.
 
 Columns follow the points of the section along the trajectory, rings go round at each station. Vertices lie column by
 column, so that all of them come from one matrix product of the section with the axes of the stations. A ring that
 has shrunk to nothing is one vertex, a tip, behind all the others.
 """
 
-import zlib
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from hashlib import blake2b
@@ -203,122 +202,3 @@ def sharp_edges(grid, bands, inner):
     rims = [station for station, cap in zip((0, grid.rings - 1), grid.caps, strict=True) if cap is not None]
     around[:, np.isin(grid.whole, [*grid.creases, *rims])] = True
     return np.concatenate((along.ravel(), around.ravel(), np.zeros(inner, bool)))
-
-
-@dataclass(frozen=True, eq=False)
-class Chart:
-    """Where on a sweep its vertices and corners lie: the source of texture coordinates and named attributes.
-
-    Parameters
-    ----------
-    grid : Grid
-    u : (n,) float array
-        The trajectory's parameter at each station.
-    s : (n,) float array
-        The arc length at each station, in metres.
-    total : float
-        The arc length of the whole trajectory, where a closed one meets itself again.
-    around : (m + k,) float array
-        The length round the contour at each point, loop after loop, each loop with its end.
-    ends : tuple of two (m, 2) float arrays
-        The section as it stands at the start and at the end, in metres.
-    """
-
-    grid: Grid
-    u: np.ndarray
-    s: np.ndarray
-    total: float
-    around: np.ndarray
-    ends: tuple
-
-    @property
-    def keys(self):
-        """Two short texts that differ where what is known along the trajectory or round the contour differs."""
-        return short_text(self.u, self.s), short_text(self.around, *self.ends)
-
-    @property
-    def rings(self):
-        """How many contours stand along the trajectory."""
-        return self.grid.rings
-
-    def columns(self):
-        """The length round the contour where each column's face starts and where it ends: two (m,)."""
-        offsets = np.array(self.grid.offsets)
-        loop = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
-        start = np.arange(self.grid.columns) + loop
-        return self.around[start], self.around[start + 1]
-
-    def uv(self, dtype=np.float64):
-        """Texture coordinates (c, 2) of each corner in metres: along the trajectory, round the contour."""
-        pairs, below, above = self.grid.bands()
-        low, high = self.s[pairs].T
-        high = np.where(high > low, high, self.total)
-        left, right = self.columns()
-        sides = np.stack((np.ones_like(left), left, right), axis=1).astype(dtype)
-        kinds = (
-            (~below & ~above, (low, low, high, high), (0, 1, 1, 0)),
-            (above & ~below, (low, low, high), (0, 1, 0.5)),
-            (below & ~above, (low, high, high), (0.5, 1, 0)),
-        )
-        widths = [2 * len(shares) * np.count_nonzero(chosen) for chosen, _, shares in kinds]
-        caps = list(self.cap_uv(dtype))
-        uv = np.empty(len(sides) * sum(widths) + sum(cap.size for cap in caps), dtype)
-        start = 0
-        for (chosen, along, shares), width in zip(kinds, widths, strict=True):
-            # One matrix product lays all corners: along the trajectory + left + right, each by its share.
-            rows = np.zeros((3, width // (2 * len(shares)), len(shares), 2), dtype)
-            rows[0, ..., 0] = np.stack([end[chosen] for end in along], axis=-1)
-            rows[1, ..., 1], rows[2, ..., 1] = 1 - np.array(shares), shares
-            part = uv[start : start + len(sides) * width].reshape(len(sides), width)
-            np.matmul(sides, rows.reshape(3, width), out=part)
-            start += part.size
-        uv[start:] = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in caps)])
-        return uv.reshape(-1, 2)
-
-    def cap_uv(self, dtype):
-        """The caps lie flat beside the strip, before its start and after its end."""
-        margin = 0.05 * self.total
-        for cap, section, end in zip(self.grid.caps, self.ends, (0, 1), strict=True):
-            if cap is None:
-                continue
-            points, offsets = (np.array(part) for part in cap)
-            flat = section - section.min(axis=0)
-            if end == 0:
-                face = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
-                points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
-                flat = flat * (-1, 1) - (margin, 0)
-            else:
-                flat = flat + (self.total + margin, 0)
-            yield flat[points].astype(dtype)
-
-    def along(self, dtype=np.float64):
-        """Values at each vertex that depend on its station: u and arc_length."""
-        whole, tips = self.grid.whole, list(self.grid.tips)
-
-        def by_ring(values):
-            values = values.astype(dtype)
-            return np.concatenate((np.tile(values[whole], self.grid.columns), values[tips]))
-
-        return {"u": by_ring(self.u), "arc_length": by_ring(self.s)}
-
-    def across(self, dtype=np.float64):
-        """Values at each vertex that depend on its place on the contour: v, the length round it."""
-        start, _ = self.columns()
-        v = np.repeat(start.astype(dtype), len(self.grid.whole))
-        return {"v": np.concatenate((v, np.zeros(len(self.grid.tips), dtype)))}
-
-
-def short_text(*arrays):
-    """A few digits that differ where arrays differ."""
-    return "".join(f"{zlib.crc32(np.ascontiguousarray(array).data):08x}" for array in arrays)
-
-
-def lengths_around(section, scale):
-    """The length round a section at each point, loop after loop, each loop with its end: (m + k,) float array.
-
-    The loops lie side by side, none over another; scale, (2,), stretches the section's axes.
-    """
-    edges = np.linalg.norm((section.points[section.following] - section.points) * scale, axis=1)
-    reached = np.concatenate(([0.0], np.cumsum(edges)))
-    parts = [reached[start : end + 1] for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True)]
-    return np.concatenate(parts)
