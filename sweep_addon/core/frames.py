@@ -13,7 +13,9 @@ from math import tau
 import numpy as np
 
 from .parameters import ShapeError, declared, parameter, require
+from .rotations import rotated, signed_angle, turned, wrapped
 from .trajectories.curve import unit
+from .transport import transport
 
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
@@ -130,30 +132,14 @@ def rotation_minimizing(stations):
     holonomy : float
         The angle in radians by which a closed trajectory brings the normal back turned; 0 for an open one.
 
-    Source
-    ------
-    Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, ACM TOG 27(1), 2008: double reflection,
-    fourth order in the step. At a corner the normal turns with the least rotation that takes one leg to the other,
-    so that a mitred leg keeps its cross-section.
-
-    Each step's turn is measured against an arbitrary normal at each station. All turns are about the tangent, so they
-    add: a cumulative sum replaces the loop.
+    At a corner the normal turns with the least rotation that takes one leg to the other, so that a mitred leg keeps its
+    cross-section.
     """
-    onward = stations.onward
-    here = slice(0, len(onward))
-    reference = any_normal(stations.leave)
-    chord = stations.points[onward] - stations.points[here]
-    carried = reflect(reference[here], chord)
-    arrived = reflect(stations.leave[here], chord)
-    carried = reflect(carried, stations.arrive[onward] - arrived)
-    bent = np.flatnonzero(np.isin(onward, stations.corners))
-    carried[bent] = turned(carried[bent], stations.arrive[onward[bent]], stations.leave[onward[bent]])
-    turn = signed_angle(reference[onward], carried, stations.leave[onward])
-    steps = len(stations.u) - 1
+    carried = transport(stations.trajectory)
+    reference, angle = carried.at(stations.u, stations.leave)
     start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
-    angle = signed_angle(reference[:1], start, stations.leave[:1]) + np.concatenate(([0.0], np.cumsum(turn[:steps])))
-    holonomy = float(turn.sum()) if stations.closed else 0.0
-    return rotated(reference, stations.leave, angle), holonomy
+    first = signed_angle(reference[:1], start, stations.leave[:1])
+    return rotated(reference, stations.leave, first + angle - angle[0]), carried.holonomy
 
 
 def first_normal(tangent):
@@ -186,39 +172,3 @@ def flipping(angles, stations, holonomy):
     if stations.closed:
         step[-1] -= holonomy
     return np.abs(wrapped(step)) > tau / 4
-
-
-def any_normal(tangents):
-    """A unit vector across each tangent, from the axis it is least aligned with."""
-    axis = np.eye(3)[np.abs(tangents).argmin(axis=1)]
-    return unit(np.cross(tangents, axis))
-
-
-def reflect(vectors, normals):
-    """Mirror each vector in the plane across its normal; a zero normal mirrors nothing."""
-    squared = np.einsum("ij,ij->i", normals, normals)
-    factor = 2 * np.einsum("ij,ij->i", vectors, normals) / np.where(squared, squared, 1.0)
-    return vectors - factor[:, None] * normals
-
-
-def turned(vectors, start, end):
-    """Turn each vector by the least rotation that takes one unit vector to another."""
-    return reflect(reflect(vectors, start), start + end)
-
-
-def signed_angle(start, end, axis):
-    """The angle in radians that turns each start onto the projection of its end, about a unit axis."""
-    sine = np.einsum("ij,ij->i", np.cross(axis, start), end)
-    return np.arctan2(sine, np.einsum("ij,ij->i", start, end))
-
-
-def rotated(normals, axis, angle):
-    """Turn unit normals about the unit axes they are perpendicular to."""
-    if not angle.any():
-        return normals.copy()
-    return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * np.cross(axis, normals)
-
-
-def wrapped(angle):
-    """An angle between minus and plus half a turn."""
-    return (angle + tau / 2) % tau - tau / 2

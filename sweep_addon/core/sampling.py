@@ -44,6 +44,7 @@ class Stations:
 
     Parameters
     ----------
+    trajectory : Trajectory
     u, s : (n,) float array
         The trajectory's own parameter and the arc length in metres.
     points : (n, 3) float array
@@ -54,10 +55,9 @@ class Stations:
         The curvature vector in 1/m, towards the centre of curvature, a corner's turn spread over its step.
     total : float
         The length of the whole trajectory in metres.
-    closed : bool
-        Whether the last place leads to the first.
     """
 
+    trajectory: object
     u: np.ndarray
     s: np.ndarray
     points: np.ndarray
@@ -65,7 +65,11 @@ class Stations:
     leave: np.ndarray
     bend: np.ndarray
     total: float
-    closed: bool
+
+    @property
+    def closed(self):
+        """Whether the last place leads to the first."""
+        return self.trajectory.closed
 
     @property
     def t(self):
@@ -234,7 +238,7 @@ def stations(trajectory, s):
     # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature
     bends[corner] += turn[corner] / np.gradient(s)[corner, None]
     arrive[~corner] = leave[~corner]
-    return Stations(u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total, trajectory.closed)
+    return Stations(trajectory, u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total)
 
 
 def snapped(u, joints):

@@ -19,9 +19,11 @@ class Trajectory:
         First and last parameter, uI and uF.
     closed : bool
         Whether the end is the start again.
+    straight : bool
+        Whether there is nothing but straight legs between the joints.
     """
 
-    closed = False
+    closed = straight = False
 
     def evaluate(self, u):
         """Points at parameters u: (n,) to (n, 3) float array, in metres."""

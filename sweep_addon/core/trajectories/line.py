@@ -24,6 +24,7 @@ class Line(Trajectory):
     end: tuple[float, float, float] = parameter((0, 0, 1), "Where it ends", unit="length")
 
     domain = (0.0, 1.0)
+    straight = True
 
     def check(self):
         require(self.start != self.end, "must differ from the start", list(self.end), "end")

@@ -23,6 +23,8 @@ class Polyline(Trajectory):
     points: Array = parameter(((0, 0, 0), (0, 0, 1)), "Corners of the path", columns=3, unit="length")
     closed: bool = parameter(False, "The last corner leads back to the first")
 
+    straight = True
+
     def check(self):
         fewest = 3 if self.closed else 2
         require(len(self.points) >= fewest, f"must have at least {fewest} points", len(self.points), "points")
