@@ -38,6 +38,9 @@ class OBJECT_OT_sweep_edit_as_curve(Operator):
         if curve:
             self.report({"ERROR"}, f"The {self.parameter} is the object {curve.name!r} already: edit that")
             return {"CANCELLED"}
+        if self.parameter == "trajectory" and ob.animation_data:
+            self.report({"ERROR"}, f"The object {ob.name!r} is animated: clear its animation first, the curve moves it")
+            return {"CANCELLED"}
         try:
             value = getattr(objects.from_object(ob), self.parameter)
         except ShapeError as error:

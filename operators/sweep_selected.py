@@ -21,7 +21,7 @@ class OBJECT_OT_sweep_selected(Operator):
 
     @classmethod
     def poll(cls, context):
-        chosen = inputs(context)
+        chosen = inputs(context) if context.mode == "OBJECT" else []
         if any(ob.type == "CURVE" for ob in chosen) and len(chosen) <= 2:
             return True
         cls.poll_message_set("Select a curve to sweep along, or two: the contour active, the trajectory with it")

@@ -38,7 +38,7 @@ class VIEW3D_PT_sweep(Panel):
 def hint(context):
     """What a person can do when no sweep is active."""
     if context.mode != "OBJECT":
-        return "Leave Edit Mode to add a sweep."
+        return "Go back to Object Mode to add a sweep."
     return "Add a shape, or select a curve and press Sweep Selected for a pipe along it."
 
 
@@ -62,9 +62,7 @@ def draw_sweep(layout, context, mesh, say):
     declared_layout.draw(column, group, parameters(shape))
     row = layout.row(align=True)
     for parameter in ("trajectory", "contour"):
-        button = row.row(align=True)
-        button.enabled = getattr(group, parameter) != "OBJECT"  # it is a curve already
-        button.operator("object.sweep_edit_as_curve", text=f"Edit {parameter.title()}").parameter = parameter
+        row.operator("object.sweep_edit_as_curve", text=f"Edit {parameter.title()}").parameter = parameter
     layout.operator("object.sweep_apply")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"

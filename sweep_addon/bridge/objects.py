@@ -156,12 +156,34 @@ def link(context, data):
 def place_along(context, mesh, trajectory):
     """A new active object of a mesh, in the space of the trajectory that it follows."""
     ob = link(context, mesh)
-    ob.parent = trajectory
+    attach(ob, trajectory)
     for other in context.selected_objects:
         other.select_set(False)
     ob.select_set(True)
     context.view_layer.objects.active = ob
     return ob
+
+
+def attach(ob, trajectory):
+    """Put an object into the space of a trajectory, where its mesh is.
+
+    Blender puts a child of a curve with *Path Animation*, which every curve of its Add menu has, at the path's start.
+    A path that nothing follows is switched off; where something may, the object is constrained and not parented.
+    """
+    curve = trajectory.data
+    if curve.use_path and (curve.animation_data or is_followed(trajectory)):
+        constraint = ob.constraints.new("CHILD_OF")
+        constraint.target = trajectory
+        constraint.inverse_matrix.identity()
+        return
+    curve.use_path = False
+    ob.parent = trajectory
+
+
+def is_followed(curve):
+    """Whether another object is a child of a curve, or follows it as a path."""
+    users = bpy.data.user_map(subset={curve}, value_types={"OBJECT"})[curve]
+    return any(ob != curve for ob in users)
 
 
 def use(ob, parameter, curve):

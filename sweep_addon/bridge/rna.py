@@ -146,8 +146,8 @@ def require_usable(ob, types):
     """Refuse an object that is not there; a deleted one lives on in no scene, because the mesh still uses it."""
     if ob is None:
         raise ShapeError("must be an object of the scene; none is chosen, or it was deleted")
-    if not ob.original.users_scene:
-        raise ShapeError(f"must be an object of the scene; {ob.name!r} was deleted")
+    if not (ob.library or ob.original.users_scene or ob.original.users_collection):
+        raise ShapeError(f"must be an object of the scene; {ob.name!r} was deleted, or is in no scene yet")
     wanted = " or ".join(types).lower().replace("font", "text")
     require(ob.type in types, f"must be a {wanted} object", ob.type.lower())
 

@@ -14,6 +14,7 @@ from .sampling import WIDEST_TURN
 from .trajectories.arc_length import arc_length
 
 NOTHING = 1e-7  # of the largest scale: single precision cannot tell a contour this small from a point
+NEARLY = 0.01  # of the largest scale: between places so close a law that is not steep comes to zero
 SEARCHED = 4097  # places along the trajectory where a change of sign is looked for
 
 
@@ -69,7 +70,7 @@ class Along:
             left = max(left - length, 0.0)
         marks = [self.tapers[0], total - self.tapers[1]]
         if not self.is_constant:
-            points = np.concatenate(([0.0], self.crossings(), [total]))
+            points = np.sort(np.concatenate(([0.0], self.crossings(), self.touches(), [total])))
             flat = np.abs(self.at(points)[0]) <= NOTHING * self.largest
             bodies = (points[1:] + points[:-1])[flat[1:] & flat[:-1]] / 2
             marks.extend((*points, *bodies))
@@ -93,6 +94,20 @@ class Along:
             below = (self.at(middle)[0] > 0) == positive[change]
             low, high = np.where(below, middle, low), np.where(below, high, middle)
         return high
+
+    def touches(self):
+        """Arc lengths where the scale along e2 comes to zero and does not pass it, as an absolute value does."""
+        s, scale, _ = searched(self)
+        size = np.abs(scale)
+        least = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & (size[1:-1] < NEARLY * size.max())
+        least &= scale[:-2] * scale[2:] > 0
+        low, high = s[:-2][least], s[2:][least]
+        for _ in range(80 if len(low) else 0):  # thirds of each interval: 1e-14 of it is left
+            third = (high - low) / 3
+            rising = np.abs(self.at(low + third)[0]) < np.abs(self.at(high - third)[0])
+            low, high = np.where(rising, low, low + third), np.where(rising, high - third, high)
+        middle = (low + high) / 2
+        return middle[np.abs(self.at(middle)[0]) <= NOTHING * size.max()] if len(low) else middle
 
     def density(self, reach):
         """Steps per metre that twist and scale ask for, as a function of arc length and chord tolerance.

@@ -8,11 +8,12 @@ has shrunk to nothing is one vertex, a tip, behind all the others.
 """
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from hashlib import blake2b
 
 import numpy as np
 
+from .kept import kept
 from .mesh import Topology
 
 SIDE, CAP = 0, 1  # material slots
@@ -79,7 +80,7 @@ class Grid:
         return build(self)
 
 
-@lru_cache(maxsize=4)
+@kept
 def build(grid):
     columns, rings, pairs = grid.columns, len(grid.whole), grid.bands()[0]
     stride, position = places(grid)

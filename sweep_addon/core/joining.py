@@ -3,10 +3,10 @@
 """Several meshes as one: the tubes along the splines of a curve."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
+from .kept import kept
 from .mesh import Mesh, Topology
 
 
@@ -66,7 +66,7 @@ def joined(meshes):
     return Mesh(vertices, topology, Charts(tuple(mesh.chart for mesh in meshes)), tuple(told))
 
 
-@lru_cache(maxsize=4)
+@kept
 def joined_topology(parts, vertices):
     """The topologies of meshes with these numbers of vertices as one."""
 

@@ -48,6 +48,12 @@ class Topology:
         parts = (self.corners, self.offsets, self.edges, self.sharp, self.material)
         return self.name + "".join(f"{zlib.crc32(np.ascontiguousarray(part[::step]).data):08x}" for part in parts)
 
+    @property
+    def nbytes(self):
+        """The size of all arrays in bytes."""
+        parts = (self.corners, self.offsets, self.edges, self.corner_edges, self.sharp, self.material)
+        return sum(part.nbytes for part in parts)
+
     @cached_property
     def following(self):
         """(c,) int array: the corner that follows each corner in its face."""

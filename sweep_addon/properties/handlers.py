@@ -56,7 +56,8 @@ def users_of(changed):
     """The meshes that are made from any of some objects."""
     if not changed:
         return set()
-    sweeps = (mesh for mesh in bpy.data.meshes if mesh.sweep.kind != "NONE")
+    users = bpy.data.user_map(subset=changed, value_types={"MESH"}).values()
+    sweeps = (mesh for mesh in set().union(*users) if mesh.sweep.kind != "NONE")
     return {mesh for mesh in sweeps if not changed.isdisjoint(inputs(mesh).values())}
 
 

@@ -19,12 +19,12 @@ def rebuild(mesh, depsgraph=None):
     Parameters
     ----------
     mesh : bpy.types.Mesh
-        The original. A linked one and one in Edit Mode are left alone.
+        The original. One in Edit Mode is left alone; a linked one follows its keyframes, drivers and inputs too.
     depsgraph : bpy.types.Depsgraph, optional
         Where animated parameters and inputs are read; a render has its own and gives nothing back to the originals.
     """
     sweep = mesh.sweep
-    if sweep.kind == "NONE" or not mesh.is_editable or mesh.is_editmode:
+    if sweep.kind == "NONE" or mesh.is_editmode:
         return
     try:
         if mesh.shape_keys:

@@ -69,7 +69,8 @@ def test_appended_object_brings_its_curves_and_is_live(saved):
     assert follows_its_curves(ob)
 
 
-def test_linked_object_is_left_alone(saved):
+def test_linked_object_is_live_where_it_was_made_to_move(saved):
+    """Nobody can change its parameters here, but its keyframes go on in every file that links it."""
     empty()
     with bpy.data.libraries.load(str(saved), link=True) as (_, here):
         here.objects = ["sweep", "keyed"]
@@ -77,16 +78,17 @@ def test_linked_object_is_left_alone(saved):
     for linked in here.objects:
         bpy.context.scene.collection.objects.link(linked)
     update()
-    before = [places(linked.data) for linked in here.objects]
+    before = places(ob.data)
     assert extent(ob) == pytest.approx((1, 1, 2))
 
-    for frame in (11, 1, 6):
+    for frame, width in ((11, 5), (1, 1), (6, 3)):
         bpy.context.scene.frame_set(frame)
+        assert extent(keyed) == pytest.approx((width, width, 2))
     ob.data.update_tag()
     update()
 
-    for linked, mesh in zip(here.objects, before, strict=True):
-        assert np.array_equal(places(linked.data), mesh)
+    assert np.array_equal(places(ob.data), before)
+    for linked in here.objects:
         assert linked.data.sweep.error == "" and not linked.data.sweep.edited
     assert not objects.is_editable_sweep(ob) and objects.is_sweep(ob)
 

@@ -130,7 +130,7 @@ def test_curve_deleted_by_a_person_keeps_the_mesh_and_says_so(scene, parameter):
     select(made)
     bpy.ops.object.delete()
     update()
-    assert kept(ob, before, f"{parameter}: must be an object of the scene; '{name}' was deleted")
+    assert kept(ob, before, f"{parameter}: must be an object of the scene; '{name}' was deleted, or is in no scene yet")
     parameters_of(ob).contour_circle_radius = 2
     parameters_of(ob).trajectory_line_end = (0, 0, 7)
     assert kept(ob, before, f"'{name}' was deleted")

@@ -10,6 +10,7 @@ import pytest
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 import bmesh
+from mathutils import Vector
 from scenes import curve, extent, parameters_of, places, select, square, straight, sweep, text
 
 import sweep_addon as sw
@@ -237,3 +238,48 @@ def test_operator_and_its_options_have_tooltips_and_what_changes_something_is_un
     theirs = {"rna_type", "align", "location", "rotation"}  # Blender's own, without words
     assert all(option.description for option in known.properties if option.identifier not in theirs)
     assert ("UNDO" in getattr(bpy.types, f"{space.upper()}_OT_{verb}").bl_options) == undo
+
+
+@pytest.mark.parametrize("add", ["bezier_curve", "bezier_circle", "nurbs_curve", "nurbs_circle", "nurbs_path"])
+@pytest.mark.parametrize("preset", [False, True])
+def test_pipe_lies_on_the_curve_that_blender_adds(scene, add, preset):
+    """In the world: Blender puts children of a curve with path animation at the path's start."""
+    getattr(bpy.ops.curve, f"primitive_{add}_add")(location=(1, 2, 3), rotation=(0.3, 0.2, 0.1))
+    path = bpy.context.active_object
+    if preset:
+        bpy.ops.mesh.sweep_preset_add(preset="PIPE")
+    else:
+        bpy.ops.object.sweep_selected()
+    lies_on(bpy.context.active_object, path)
+
+
+def test_pipe_lies_on_a_curve_that_something_follows(scene):
+    """Its path animation stays on, and the follower where it was."""
+    bpy.ops.curve.primitive_nurbs_path_add(location=(1, 2, 3))
+    path = bpy.context.active_object
+    follower = bpy.data.objects.new("follower", None)
+    scene.collection.objects.link(follower)
+    follower.parent = path
+    bpy.context.view_layer.update()
+    before = follower.matrix_world.copy()
+    bpy.ops.object.sweep_selected()
+    lies_on(bpy.context.active_object, path)
+    assert path.data.use_path and follower.matrix_world == before
+
+
+def lies_on(ob, path):
+    """The middles of the boxes of tube and curve in the world: no side of one is a radius farther out than the other."""
+    bpy.context.view_layer.update()
+    assert ob != path and ob.data.sweep.error == ""
+    shown = path.to_mesh()
+    middle = [path.matrix_world @ Vector(side) for side in extremes(shown)]
+    path.to_mesh_clear()
+    tube = [ob.matrix_world @ Vector(side) for side in extremes(ob.data)]
+    apart = np.subtract(np.mean(tube, axis=0), np.mean(middle, axis=0))
+    assert np.abs(apart).max() < 0.1
+
+
+def extremes(mesh):
+    """The least and the greatest coordinates of a mesh."""
+    values = places(mesh)
+    return values.min(axis=0), values.max(axis=0)

@@ -95,7 +95,7 @@ def test_without_a_sweep_it_says_what_to_do_and_offers_it(scene):
         assert {"VIEW3D_MT_sweep_add", "object.sweep_selected"} <= set(calls)
         assert "object.sweep_apply" not in calls
         assert "curve" in said(calls)
-    assert "Edit Mode" in said(drawn(plain, mode="EDIT_MESH"))
+    assert "Object Mode" in said(drawn(plain, mode="EDIT_MESH"))
 
 
 def test_a_sweep_shows_every_parameter_once_and_what_can_be_done(scene):

@@ -220,3 +220,11 @@ def test_far_from_the_origin_only_rounding_is_lost(far):
 @pytest.mark.large
 def test_ten_thousand_turns_are_a_solid():
     assert_solid(GeneralizedCylinder(Circle(0.1, 8), Helix(turns=10_000.0), Tolerance(0.1)).mesh(), euler=2)
+
+
+@pytest.mark.parametrize("law", ["abs(1 - 3*t)", "(1 - 3*t)^2", "abs(0.37 - t)", "abs(cos(3*pi*t))"])
+def test_scale_that_touches_zero_closes_in_one_vertex_there(law):
+    mesh = GeneralizedCylinder(scale_x=law, scale_y=law, trajectory=Line()).mesh()
+    zeros = {"abs(1 - 3*t)": [1 / 3], "(1 - 3*t)^2": [1 / 3], "abs(0.37 - t)": [0.37]}.get(law, [1 / 6, 1 / 2, 5 / 6])
+    axis = np.hypot(*mesh.vertices[:, :2].T) < 1e-9
+    assert np.sort(mesh.vertices[axis, 2]) == pytest.approx(zeros, abs=1e-7)
