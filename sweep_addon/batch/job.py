@@ -6,10 +6,22 @@ import hashlib
 import json
 from dataclasses import dataclass
 from enum import Enum
+from os import PathLike
 from pathlib import Path
 
 from ..core import description, forms
-from ..core.parameters import ShapeError, angle, at, count, declared, from_table, parameter, parameters, spelled
+from ..core.parameters import (
+    ShapeError,
+    angle,
+    at,
+    count,
+    declared,
+    from_table,
+    parameter,
+    parameters,
+    require,
+    spelled,
+)
 from ..core.shapes import SHAPES
 from .lines import line_of
 from .references import LARGEST, resolve, with_references
@@ -104,6 +116,7 @@ def load(job):
     >>> load('kind = "generalized-cylinder"').contour
     Circle(radius=0.1, points=64)
     """
+    require(isinstance(job, (str, bytes, PathLike)), "must be a path, or the text of a job", job, "job")
     is_text = isinstance(job, bytes) or isinstance(job, str) and ("\n" in job or "=" in job)
     return parse(job, Path()).shape if is_text else read(job).shape
 

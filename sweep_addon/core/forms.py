@@ -91,8 +91,9 @@ def shape_of(shapes, table):
     """The shape that a table describes, one of the kinds of `shapes`; tables of older versions are migrated."""
     table = dict(table)
     version = table.pop("version", 1)
-    known = isinstance(version, int) and not isinstance(version, bool) and 1 <= version <= VERSION
-    require(known, f"must be at most {VERSION}, the newest that this program reads", version, "version")
+    numbered = isinstance(version, int) and not isinstance(version, bool) and version >= 1
+    require(numbered, "must be a whole number, at least 1", version, "version")
+    require(version <= VERSION, f"must be at most {VERSION}, the newest that this program reads", version, "version")
     for migrate in MIGRATIONS[version - 1 :]:
         table = migrate(table)
     return from_table({spelled(shape): shape for shape in shapes}, table, parameters)
@@ -129,11 +130,14 @@ def load(shapes, text):
 def dump(shape):
     """A shape as the text of a job, every parameter written, so that `load` makes an equal shape of it.
 
+    What is no shape, as a contour alone, is refused by a `ShapeError`.
+
     >>> from sweep_addon.core.shapes import SHAPES
     >>> shape = SHAPES[0]()
     >>> load(SHAPES, dump(shape)) == shape
     True
     """
+    require(is_dataclass(shape) and hasattr(type(shape), "mesh"), "must be a shape", shape, "shape")
     return toml({"version": VERSION, **plain(shape)})
 
 

@@ -51,10 +51,25 @@ def at(key):
 def require(holds, sentence, value, key=""):
     """Refuse a value unless the sentence about it holds."""
     if not holds:
-        if isinstance(value, (list, tuple)):
-            value = value[:60]  # no more is shown
-        got = f"{value:.9g}" if isinstance(value, float) else repr(value)
-        raise ShapeError(f"{sentence}, got {got if len(got) <= 60 else got[:57] + '...'}", key)
+        raise ShapeError(f"{sentence}, got {shown(value)}", key)
+
+
+def shown(value):
+    """A value as a refusal has room for it: one line of at most 60 characters.
+
+    >>> shown(0.1 + 0.2), shown([1, 2]), shown(16**5000)
+    ('0.3', '[1, 2]', '0x1000000000000000000000000000000000000000000000000000000...')
+    """
+    if isinstance(value, (list, tuple, str, bytes)):
+        value = value[:60]  # no more is shown
+    if isinstance(value, np.generic):
+        value = value.item()  # which NumPy 1 and 2 write alike
+    try:
+        text = f"{value:.9g}" if isinstance(value, float) else repr(value)
+    except (ValueError, RecursionError):  # Python writes no number of 5,000 digits, and no list as deep
+        text = hex(value) if isinstance(value, int) else f"a {type(value).__name__}"
+    line = " ".join(part.strip() for part in text.splitlines())
+    return line if len(line) <= 60 else f"{line[:57]}..."
 
 
 class Array:

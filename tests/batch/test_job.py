@@ -83,6 +83,12 @@ def test_a_job_is_a_path_or_text(tmp_path):
     assert sw.load(sw.dump(expected)) == expected
 
 
+@pytest.mark.parametrize("job", [None, 3, ["job.toml"], GeneralizedCylinder()])
+def test_what_can_be_no_job_is_refused(job):
+    with pytest.raises(ShapeError, match="^job: must be a path, or the text of a job, got "):
+        sw.load(job)
+
+
 def test_the_digest_says_what_the_job_says(tmp_path):
     first = jobs.read(written(tmp_path, START + "twist = 1"))
     same = jobs.read(written(tmp_path, "# a comment\n" + START + "\ntwist   = 1", "same.toml"))

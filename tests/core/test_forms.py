@@ -78,14 +78,17 @@ START = 'kind = "generalized-cylinder"\n'
         "\nx": "line 2: must be TOML: expected '=' after a key in a key/value pair",
         "": "kind: must be one of ",
         "version = 2": "version: must be at most 1, the newest that this program reads, got 2",
-        "version = true": "version: must be at most 1, the newest that this program reads, got True",
-        "version = -1": "version: must be at most 1, the newest that this program reads, got -1",
+        "version = true": "version: must be a whole number, at least 1, got True",
+        "version = -1": "version: must be a whole number, at least 1, got -1",
+        "version = 0": "version: must be a whole number, at least 1, got 0",
+        "version = 'a'": "version: must be a whole number, at least 1, got 'a'",
         START + "radios = 1": "radios: is no parameter of GeneralizedCylinder, which has contour, trajectory, ",
         START + "contour = {kind = 'circle', radius = -1}": "contour.radius: must be more than 0, got -1",
         START + "contour = {kind = 'circle', radius = '1 mm'}": "contour.radius: must be a number, got '1 mm'",
         START + "scale_x = '1 - q'": "scale_x: must be an expression of u, t, s: 'q' at character 5 is no name",
         START + "scale_x = nan": "scale_x: must be a number, got nan",
         START + "[contour]\nkind = 'circle'\nradius = " + "9" * 400: "must have numbers of at most 64 bits, got 999",
+        "x = 0x" + "F" * 5000: "must have numbers of at most 64 bits, got 0xfff",
         "x = " + "[" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
         "x = " + "9" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
         "x = " + "[" * 40 + "]" * 40: "must be nested at most 32 deep, got 33",
@@ -97,6 +100,12 @@ def test_what_is_no_job_is_refused(text, sentence):
     with pytest.raises(ShapeError) as refusal:
         load(SHAPES, text)
     assert str(refusal.value).startswith(sentence) and "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("value", [3, None, "tube", GeneralizedCylinder, contours.Circle(), RICH.scale_x])
+def test_only_a_shape_is_written_as_a_job(value):
+    with pytest.raises(ShapeError, match="^shape: must be a shape, got "):
+        sw.dump(value)
 
 
 def test_a_byte_order_mark_is_no_mistake():

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A refusal shows what it got on one line, whatever that was."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sweep_addon.core.contours import Circle
+from sweep_addon.core.parameters import ShapeError, shown
+from sweep_addon.core.trajectories import Polyline
+
+
+def nested(depth):
+    inner = []
+    for _ in range(depth):
+        inner = [inner]
+    return inner
+
+
+@pytest.mark.parametrize(
+    ("make", "sentence"),
+    [
+        (lambda: Circle(points=10**5000), "points: must be at most 1e+12 in size, got 0x"),
+        (lambda: Circle(points=np.int64(2)), "points: must be at least 3, got 2"),
+        (lambda: Circle(radius=nested(5000)), "radius: must be a number, got a list"),
+        (lambda: Circle(radius=[10**5000]), "radius: must be a number, got a list"),
+        (lambda: Circle(radius=np.eye(2)), "radius: must be a number, got array([[1., 0.], [0., 1.]])"),
+        (lambda: Circle(radius="1\n2"), r"radius: must be a number, got '1\n2'"),
+        (lambda: Polyline(nested(5000)), "points: must be a list of 3 numbers each, got a list"),
+        (lambda: Polyline(np.zeros((10**6, 2))), "points: must be a list of 3 numbers each, got array([[0., 0.], "),
+        (lambda: Polyline("a" * 10**6), "points: must be a list of 3 numbers each, got 'aaa"),
+    ],
+)
+def test_a_refusal_of_what_cannot_be_written_is_a_sentence(make, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        make()
+    got = str(refusal.value).partition(", got ")[2]
+    assert str(refusal.value).startswith(sentence)
+    assert "\n" not in got and len(got) <= 60
+
+
+@given(
+    st.recursive(
+        st.integers() | st.floats() | st.text() | st.binary() | st.none(),
+        lambda inner: st.lists(inner) | st.tuples(inner),
+    )
+)
+def test_any_value_is_shown_on_one_short_line(value):
+    assert len(shown(value)) <= 60 and len(shown(value).splitlines()) == 1
