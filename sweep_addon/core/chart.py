@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The chart of a sweep: texture coordinates in true lengths and named attributes, from a few numbers a ring and column."""
+"""The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
 
 import zlib
 from dataclasses import dataclass
