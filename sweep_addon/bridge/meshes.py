@@ -74,10 +74,8 @@ def sampled(count):
 
 
 def total(sample, vertices, corners):
-    """The sum of the bits of coordinates."""
-    return int(sample.ravel().view(np.uint32).sum(dtype=np.uint64) + vertices + corners) % (
-        2**31 - 1
-    )  # odd: signs count
+    """The sum of the bits of coordinates; the remainder of an odd number, or the bits of signs would drop out."""
+    return int(sample.ravel().view(np.uint32).sum(dtype=np.uint64) + vertices + corners) % (2**31 - 1)
 
 
 def equal(mesh, made):

@@ -137,8 +137,21 @@ def distinct(values, least):
 def spread_evenly(ends, steps):
     """Arc lengths with a number of steps shared out among the pieces between the ends by their lengths."""
     lengths = np.diff(ends)
-    shares = np.maximum(1, np.round(lengths / lengths.sum() * steps)).astype(int)
-    return pieces(ends, shares, lambda piece, fraction: ends[piece] + fraction * lengths[piece])
+    return pieces(ends, shared_out(steps, lengths), lambda piece, fraction: ends[piece] + fraction * lengths[piece])
+
+
+def shared_out(steps, lengths):
+    """Whole numbers in proportion to lengths, at least 1 each, that add up to the steps wherever those suffice."""
+    fair = lengths / lengths.sum() * steps
+    shares = np.maximum(1, np.floor(fair)).astype(int)
+    missing = max(steps, len(shares)) - shares.sum()
+    while missing:  # a few rounds: those farthest from their fair share first
+        side = np.sign(missing)
+        able = np.flatnonzero((shares > 1) | (side > 0))
+        first = able[np.argsort(side * (shares - fair)[able], kind="stable")][: abs(missing)]
+        shares[first] += side
+        missing -= side * len(first)
+    return shares
 
 
 def spread(trajectory, ends, chord, extra):

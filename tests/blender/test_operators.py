@@ -268,7 +268,7 @@ def test_pipe_lies_on_a_curve_that_something_follows(scene):
 
 
 def lies_on(ob, path):
-    """The middles of the boxes of tube and curve in the world: no side of one is a radius farther out than the other."""
+    """The middles of the boxes of tube and curve in the world: no side of the tube's is more than a radius farther."""
     bpy.context.view_layer.update()
     assert ob != path and ob.data.sweep.error == ""
     shown = path.to_mesh()
