@@ -61,6 +61,14 @@ def to_object(shape, name=None):
     ------
     ShapeError
         Where the shape cannot be made; the scene is as it was.
+
+    Examples
+    --------
+    >>> import sweep_addon as sw
+    >>> tube = sw.to_object(sw.GeneralizedCylinder(trajectory=sw.trajectories.Line()), "tube")
+    >>> tube.data.sweep.generalized_cylinder.contour_circle_points = 8
+    >>> len(tube.data.vertices)
+    16
     """
     mesh = new_mesh(shape, name)
     ob = bpy.data.objects.new(mesh.name, mesh)
@@ -84,6 +92,13 @@ def from_object(ob):
     ------
     ShapeError
         Where the object is no sweep or its parameters are refused.
+
+    Examples
+    --------
+    >>> import sweep_addon as sw
+    >>> shape = sw.GeneralizedCylinder(contour=sw.contours.Circle(0.3))
+    >>> sw.from_object(sw.to_object(shape)) == shape
+    True
     """
     if not is_sweep(ob):
         raise ShapeError(f"must be a sweep, got {ob.name!r}", "object")

@@ -28,7 +28,13 @@ class Continuation(Enum):
 
 @declared
 class RotationMinimizing:
-    """Without spin about the tangent"""
+    """Without spin about the tangent
+
+    >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+    >>> from sweep_addon.core.trajectories import TorusKnot
+    >>> len(GeneralizedCylinder(trajectory=TorusKnot(), frame=RotationMinimizing(extra_turns=2)).mesh().boundary_edges())
+    0
+    """
 
     extra_turns: int = parameter(0, "Whole turns added along the trajectory", minimum=-1000, maximum=1000)
 
@@ -39,7 +45,15 @@ class RotationMinimizing:
 
 @declared
 class Frenet:
-    """Towards the centre of curvature"""
+    """Towards the centre of curvature
+
+    >>> from sweep_addon.core.sampling import Count, place
+    >>> from sweep_addon.core.trajectories import Helix
+    >>> stations = place(Helix(), Count(9))
+    >>> e2, e3, told = axes(Frenet(), stations, np.zeros(9))
+    >>> bool(np.allclose(e2[:, :2], -stations.points[:, :2])), told
+    (True, ())
+    """
 
     continuation: Continuation = parameter(Continuation.SMOOTH, "What to do where the curvature vanishes")
 
@@ -69,7 +83,14 @@ class Frenet:
 
 @declared
 class FixedUp:
-    """As level as the tangent allows: the contour's y axis points up, until the trajectory goes over the vertical"""
+    """As level as the tangent allows: the contour's y axis points up, until the trajectory goes over the vertical
+
+    >>> from sweep_addon.core.sampling import Count, place
+    >>> from sweep_addon.core.trajectories import Helix
+    >>> e2, e3, told = axes(FixedUp((0, 0, 1)), place(Helix(), Count(9)), np.zeros(9))
+    >>> bool(np.allclose(e2[:, 2], 0)), bool((e3[:, 2] > 0.99).all())
+    (True, True)
+    """
 
     up: tuple[float, float, float] = parameter((0, 0, 1), "Direction that stays up")
 

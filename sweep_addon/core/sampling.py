@@ -23,14 +23,24 @@ ROUNDING = 1e-13  # of the length: differences over less are noise
 
 @declared
 class Tolerance:
-    """As few contours as keep chords within a distance of the trajectory"""
+    """As few contours as keep chords within a distance of the trajectory
+
+    >>> from sweep_addon.core.trajectories import Helix, Line
+    >>> [len(place(trajectory, Tolerance(0.01)).s) > 2 for trajectory in (Line(), Helix())]
+    [False, True]
+    """
 
     chord: float = length(0.001, "Largest distance of a chord from the trajectory", minimum=1e-9, soft_maximum=0.1)
 
 
 @declared
 class Count:
-    """A number of contours, evenly spaced by arc length; corners are always among them"""
+    """A number of contours, evenly spaced by arc length; corners are always among them
+
+    >>> from sweep_addon.core.trajectories import Line
+    >>> place(Line(end=(0, 0, 3)), Count(4)).s.round(12).tolist()
+    [0.0, 1.0, 2.0, 3.0]
+    """
 
     contours: int = count(64, "Contours along the trajectory", minimum=2, maximum=MOST_STATIONS, soft_maximum=1000)
 
