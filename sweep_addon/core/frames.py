@@ -32,7 +32,8 @@ class RotationMinimizing:
 
     >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
     >>> from sweep_addon.core.trajectories import TorusKnot
-    >>> len(GeneralizedCylinder(trajectory=TorusKnot(), frame=RotationMinimizing(extra_turns=2)).mesh().boundary_edges())
+    >>> frame = RotationMinimizing(extra_turns=2)
+    >>> len(GeneralizedCylinder(trajectory=TorusKnot(), frame=frame).mesh().boundary_edges())
     0
     """
 

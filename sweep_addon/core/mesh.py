@@ -85,6 +85,17 @@ class Mesh:
         The source of texture coordinates and attributes: ``uv()``, ``along()``, ``across()``, ``rings`` and ``keys``.
     told : tuple of str
         Sentences about the shape for people: what was decided where the parameters left it open.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+    >>> from sweep_addon.core.trajectories import Line
+    >>> box = GeneralizedCylinder(Rectangle(1.0, 2.0), Line(end=(0, 0, 3))).mesh()
+    >>> box.vertices.shape, box.corners.shape, box.offsets.tolist()
+    ((8, 3), (24,), [0, 4, 8, 12, 16, 20, 24])
+    >>> round(box.volume(), 12), round(box.area(), 12), box.euler_characteristic()
+    (6.0, 22.0, 2)
     """
 
     vertices: np.ndarray

@@ -32,6 +32,13 @@ class ShapeError(ValueError):
         The refusal without the key path.
     key : str
         The key path of the parameter, as in a job file: ``contour.radius``.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Circle
+    >>> Circle(radius=-1)
+    Traceback (most recent call last):
+    sweep_addon.core.parameters.ShapeError: radius: must be more than 0, got -1
     """
 
     def __init__(self, sentence, key=""):
