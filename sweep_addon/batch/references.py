@@ -7,7 +7,7 @@ from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..core import contours
+from ..core import contours, trajectories
 from ..core.description import table_schema
 from ..core.parameters import ShapeError, at, declared, from_table, length, parameter, parameters, require
 
@@ -16,9 +16,9 @@ LARGEST = 50_000_000  # bytes of a drawing or a font
 
 @declared
 class File:
-    """A drawing (.svg), or an object of a Blender file (.blend)"""
+    """A drawing (.svg), a measured path (.gpx, .csv), or an object of a Blender file (.blend)"""
 
-    file: str = parameter("", "Path of an .svg or .blend file, relative to the job")
+    file: str = parameter("", "Path of an .svg, .gpx, .csv or .blend file, relative to the job")
     object: str = parameter("", "Name of the curve or text object in a .blend file")
     scale: float = parameter(1.0, "Factor of its size, as 0.001 for a drawing in millimetres", above=0.0)
 
@@ -79,10 +79,15 @@ def read(reference, is_contour, folder):
             return contours.from_text(reference.text, path, size=reference.size), path
     path = existing(folder / reference.file, "file")
     kind = path.suffix.lower()
-    require(kind in ((".svg", ".blend") if is_contour else (".blend",)), told(is_contour), reference.file, "file")
-    if kind == ".svg":
+    kinds = (".svg", ".blend") if is_contour else (".gpx", ".csv", ".blend")
+    sentence = "must be an .svg or .blend file" if is_contour else "must be a .gpx, .csv or .blend file"
+    require(kind in kinds, sentence, reference.file, "file")
+    if kind != ".blend":
         with about("file"):
-            return contours.from_svg(path, scale=reference.scale), path
+            if is_contour:
+                return contours.from_svg(path, scale=reference.scale), path
+            measured = (trajectories.from_gpx if kind == ".gpx" else trajectories.from_csv)(path)
+            return lengthened(measured, reference.scale), path
     require(reference.object, "must name an object of the .blend file", reference.object, "object")
     require(find_spec("bpy") is not None, "needs Blender to be read", reference.file, "file")
     from ..bridge import files
@@ -101,10 +106,6 @@ def about(key):
         raise ShapeError(refusal.sentence, refusal.key or key) from None
 
 
-def told(is_contour):
-    return "must be an .svg or .blend file" if is_contour else "must be a .blend file"
-
-
 def existing(path, key):
     require(path.is_file(), "must be a file that exists", str(path), key)
     require(path.stat().st_size <= LARGEST, f"must have at most {LARGEST:,} bytes", path.stat().st_size, key)
@@ -118,7 +119,7 @@ def scaled(outline, factor):
 
 
 def lengthened(trajectory, factor):
-    """A trajectory made larger or smaller about its object's origin."""
+    """A trajectory made larger or smaller about the origin."""
     return replace(trajectory, points=trajectory.points.values * factor)
 
 

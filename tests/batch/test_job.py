@@ -18,6 +18,7 @@ from sweep_addon.core.shapes import GeneralizedCylinder
 
 START = 'version = 1\nkind = "generalized-cylinder"\n'
 SQUARE = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H10V10H0Z"/></svg>'
+GPX = '<gpx><trk><trkseg><trkpt lat="1" lon="2">{}</trkpt><trkpt lat="1" lon="2">{}</trkpt></trkseg></trk></gpx>'
 
 
 def written(folder, text, name="job.toml"):
@@ -42,7 +43,8 @@ def written(folder, text, name="job.toml"):
         START + "[render]\nside = [1, 0]": ":4: render.side: must be a list of 3, got [1, 0]",
         START + "contour = {file = 'no.svg'}": ":3: contour.file: must be a file that exists, got ",
         START + "contour = {file = 'job.toml'}": ":3: contour.file: must be an .svg or .blend file, got 'job.toml'",
-        START + "trajectory = {file = 'job.toml'}": ":3: trajectory.file: must be a .blend file, got 'job.toml'",
+        START
+        + "trajectory = {file = 'job.toml'}": ":3: trajectory.file: must be a .gpx, .csv or .blend file, got ",
         START + "trajectory = {text = 'abc'}": ":3: trajectory.text: stands for a contour only, got 'abc'",
         START + "contour = {text = 'abc'}": ":3: contour.font: must be a .ttf or .otf file, got ''",
         START + "contour = {file = 'a.svg', size = 2}": ":3: contour.size: is no parameter of File, which has file, ",
@@ -110,6 +112,35 @@ def test_a_drawing_beside_the_job_is_its_contour(tmp_path):
     assert os.getcwd() == here
     written(tmp_path, SQUARE.replace("V10", "V20"), "square.svg")
     assert jobs.read(path).digest != job.digest
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.csv", "x,y,z\n0,0,0\n0,0,3\n"),
+        ("a.gpx", GPX.format("<ele>0</ele>", "<ele>3</ele>")),
+        ("A.GPX", GPX.format("<ele>0</ele>", "<ele>3</ele>")),
+    ],
+)
+def test_a_measured_path_beside_the_job_is_its_trajectory(tmp_path, name, text):
+    written(tmp_path, text, name)
+    path = written(tmp_path, START + f"[trajectory]\nfile = '{name}'\nscale = 0.5")
+    job = jobs.read(path)
+    assert job.shape.trajectory.length() == pytest.approx(1.5)
+    written(tmp_path, text.replace("3", "4"), name)
+    assert jobs.read(path).digest != job.digest
+
+
+def test_a_measured_path_that_is_none_is_refused_with_its_line(tmp_path):
+    written(tmp_path, "0,0,0\n0,0,high\n", "a.csv")
+    written(tmp_path, "<gpx/>", "a.gpx")
+    for name, told in (("a.csv", "must have numbers only, got 'high' in line 2"), ("a.gpx", "must have a track")):
+        with pytest.raises(jobs.JobError) as refusal:
+            jobs.read(written(tmp_path, START + f"trajectory = {{file = '{name}'}}"))
+        assert str(refusal.value).startswith(
+            f"{tmp_path / 'job.toml'}:3: trajectory.file: the {name[2:].upper()} file "
+        )
+        assert told in str(refusal.value)
 
 
 @pytest.mark.skipif(importlib.util.find_spec("fontTools") is None, reason="needs the library fonttools")

@@ -11,7 +11,7 @@ import pytest
 
 from sweep_addon.core.expressions import compile
 from sweep_addon.core.sampling import Tolerance, place
-from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 
 KNOTS = json.loads((Path(__file__).parents[1] / "data" / "knots.json").read_text())["knots"]
@@ -35,6 +35,8 @@ EVERY = {
     "closed nurbs": Nurbs(POINTS, np.linspace(0.3, 3, 13), order=6, closed=True),
     "own knots": Nurbs(POINTS[:7], order=4, knots=[0, 1, 2, 2, 3, 4.5, 4.5, 7, 8, 9, 10]),
     "circle": CIRCLE,
+    "sampled": Sampled(POINTS),
+    "closed sampled": Sampled(POINTS, closed=True),
 }
 
 

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
+from ..documents import about
 from ..parameters import ShapeError, require
 from .flatten import cubics_from_lines, cubics_from_quadratics
-from .reading import about, library, outline
+from .reading import library, outline
 
 LONGEST = 10_000
 

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reading: what contours from drawings and from fonts have in common."""
 
-from contextlib import contextmanager
 from importlib import import_module
 
 import numpy as np
@@ -13,17 +12,6 @@ from .flatten import flatten_cubics
 from .loops import LARGEST
 from .outline import Outline
 from .section import Section
-
-
-@contextmanager
-def about(subject):
-    """Begin a refusal that names no parameter with what it is about: the file, or the text."""
-    try:
-        yield
-    except ShapeError as error:
-        if error.key:
-            raise
-        raise ShapeError(f"{subject} {error.sentence}") from error.__cause__
 
 
 def library(name, package):

@@ -2,35 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An SVG document from a stranger: its elements, once it is certain that they can be interpreted quickly and safely."""
 
-from pathlib import Path
 from xml.etree import ElementTree
-from xml.parsers import expat
 
-from ..parameters import ShapeError, require
+from ..documents import DEEPEST, parsed, plain
+from ..parameters import require
 
 LARGEST = 2_000_000  # characters, repeated uses counted again
-DEEPEST = 100
 UNSEEN = {"mask", "marker", "filter", "linearGradient", "radialGradient", "foreignObject", "script"}
 HREFS = "href", "{http://www.w3.org/1999/xlink}href"
-
-
-def content(text_or_path):
-    """The bytes of a document, and what to call it in a refusal."""
-    if isinstance(text_or_path, str) and "<" in text_or_path:
-        return text_or_path.encode("utf-8", "surrogatepass"), "the SVG text"
-    require(
-        isinstance(text_or_path, (str, Path)) and str(text_or_path), "must be SVG text or a path", text_or_path, "svg"
-    )
-    subject = f"the SVG file {text_or_path}"
-    try:
-        path = Path(text_or_path)
-        size = path.stat().st_size
-        require(size <= LARGEST, f"{subject} must have at most {LARGEST} bytes", size)
-        return path.read_bytes(), subject
-    except (OSError, ValueError) as error:
-        if isinstance(error, ShapeError):
-            raise
-        raise ShapeError(f"{subject} cannot be read: {getattr(error, 'strerror', None) or error}") from error
 
 
 def tree(data):
@@ -46,43 +25,11 @@ def tree(data):
     """
     require(data.strip(), "must be an SVG drawing", "nothing")
     require(len(data) <= LARGEST, f"must have at most {LARGEST} characters", len(data))
-    try:
-        checked(data)
-        root = ElementTree.fromstring(data)
-    except (expat.ExpatError, ElementTree.ParseError, LookupError, ValueError) as error:
-        if isinstance(error, ShapeError):
-            raise
-        raise ShapeError(f"must be XML, got an error: {error}") from error
+    root = parsed(data)
     require(plain(root) == "svg", "must have an svg element at its root", plain(root))
     Uses(root).measured(root)
     hide(root)
     return root, *own_size(root)
-
-
-def checked(data):
-    """Go through a document once, without building anything, to refuse entities and deep nesting."""
-    depth = 0
-
-    def start(name, attributes):
-        nonlocal depth
-        depth += 1
-        require(depth <= DEEPEST, f"must have elements nested at most {DEEPEST} deep", depth)
-
-    def end(name):
-        nonlocal depth
-        depth -= 1
-
-    def entity(name, *rest):
-        raise ShapeError(f"must have no entity declarations, got one of {name[:40]!r}")
-
-    parser = expat.ParserCreate()
-    parser.StartElementHandler, parser.EndElementHandler, parser.EntityDeclHandler = start, end, entity
-    parser.Parse(data, True)
-
-
-def plain(element):
-    """The tag of an element without its namespace."""
-    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
 
 
 class Uses:

@@ -4,12 +4,27 @@
 
 from .arc import Arc
 from .bezier import Bezier
+from .gpx import from_gpx
 from .helix import Helix
 from .line import Line
 from .nurbs import Nurbs
 from .polyline import Polyline
+from .sampled import Sampled
+from .table import from_csv
 from .torus_knot import TorusKnot
 
-Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs
+Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs | Sampled
 
-__all__ = ["Arc", "Bezier", "Helix", "Line", "Nurbs", "Polyline", "TorusKnot", "Trajectory"]
+__all__ = [
+    "Arc",
+    "Bezier",
+    "Helix",
+    "Line",
+    "Nurbs",
+    "Polyline",
+    "Sampled",
+    "TorusKnot",
+    "Trajectory",
+    "from_csv",
+    "from_gpx",
+]

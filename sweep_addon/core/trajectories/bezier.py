@@ -5,14 +5,14 @@
 import numpy as np
 
 from ..parameters import Array, ShapeError, declared, parameter, require
-from .curve import Trajectory
+from .chain import Chain
 
 NEAR_ZERO = 1e-9
 DEFAULT = ((0, 0, 0), (0, 0, 0.5), (0, 0.5, 1), (0, 1, 1))
 
 
 @declared
-class Bezier(Trajectory):
+class Bezier(Chain):
     """A chain of cubic Bezier segments
 
     The points are knot, handle, handle, knot, and so on: 3 k + 1 of them, or 3 k where the chain is closed and the
@@ -63,29 +63,3 @@ class Bezier(Trajectory):
         points = self.points.values
         chain = np.concatenate((points, points[:1])) if self.closed else points
         return np.stack([chain[i : len(chain) - 3 + i : 3] for i in range(4)], axis=1)
-
-    @property
-    def domain(self):
-        return 0.0, float(len(self.points) // 3)
-
-    def joints(self):
-        return np.arange(self.domain[1] + 1)
-
-    def evaluate(self, u):
-        return self.bernstein(u, self.segments, False)
-
-    def derivative(self, u, order=1, before=False):
-        control = self.segments
-        for degree in range(3, 3 - order, -1):
-            control = degree * np.diff(control, axis=1) if degree else np.zeros_like(control)
-        return self.bernstein(u, control, before)
-
-    def bernstein(self, u, control, before):
-        """The polynomials with these control points, by de Casteljau's corner cutting."""
-        u = np.asarray(u, dtype=float)
-        index = np.clip(np.ceil(u) - 1 if before else np.floor(u), 0, self.domain[1] - 1).astype(int)
-        along = (u - index)[:, None, None]
-        points = control[index]
-        while points.shape[1] > 1:
-            points = (1 - along) * points[:, :-1] + along * points[:, 1:]
-        return points[:, 0]

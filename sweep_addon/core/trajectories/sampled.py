@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A smooth trajectory known by points on it."""
+
+from functools import cached_property
+
+import numpy as np
+
+from ..parameters import Array, declared, parameter, require
+from .chain import Chain
+from .neighbours import derivatives
+
+SAME = 1e-9  # of the size: points closer than this are one
+DEFAULT = ((0, 0, 0), (1, 0, 0), (1, 1, 0.5), (0, 1, 1))
+
+
+@declared
+class Sampled(Chain):
+    """A smooth curve through points: a measured path
+
+    u counts the points; one that repeats the point before it does not count. From point to point runs a quintic with
+    the tangents and the second derivatives that `derivatives` finds, so that the curvature does not jump.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> angle = np.linspace(0, 2 * np.pi, 20, endpoint=False)
+    >>> circle = Sampled(np.stack((np.cos(angle), np.sin(angle), 0 * angle), axis=1), closed=True)
+    >>> round(circle.length() / (2 * np.pi), 5)
+    1.0
+    """
+
+    points: Array = parameter(DEFAULT, "Points on the path", columns=3, unit="length")
+    closed: bool = parameter(False, "The last point leads back to the first")
+
+    def check(self):
+        fewest = 3 if self.closed else 2
+        require(len(self.kept) >= fewest, f"must have at least {fewest} different points", len(self.kept), "points")
+
+    @cached_property
+    def kept(self):
+        """The points without those that repeat the one before, or the first at the end of a closed path: (k, 3)."""
+        points = self.points.values
+        again = SAME * np.ptp(points, axis=0).max(initial=0.0)
+        moves = np.linalg.norm(np.diff(points, axis=0), axis=1) > again
+        kept = np.concatenate((points[:1], points[1:][moves]))
+        ends_again = self.closed and len(kept) > 1 and np.linalg.norm(kept[-1] - kept[0]) <= again
+        return kept[:-1] if ends_again else kept
+
+    @cached_property
+    def segments(self):
+        """The Bezier points of each quintic: (k, 6, 3)."""
+        first, second, knots = derivatives(self.kept, self.closed)
+        points, first, second = (
+            np.concatenate((part, part[:1])) if self.closed else part for part in (self.kept, first, second)
+        )
+        step = np.diff(knots)[:, None]
+        start, end = points[:-1], points[1:]
+        leave, arrive = step * first[:-1] / 5, step * first[1:] / 5
+        bend = step**2 / 20
+        return np.stack(
+            (
+                start,
+                start + leave,
+                start + 2 * leave + bend * second[:-1],
+                end - 2 * arrive + bend * second[1:],
+                end - arrive,
+                end,
+            ),
+            axis=1,
+        )
