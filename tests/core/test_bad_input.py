@@ -7,12 +7,13 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from sweep_addon.core.contours import Circle, Outline, Rectangle
+from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
 from sweep_addon.core.digest import digest
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import Array, ShapeError
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 
+CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, outline"
 SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
 S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
 THERE, BACK = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0)], [(2, 0, 0), (1, 0, 0)]
@@ -39,6 +40,32 @@ VALUES = {  # refused when it is made
     "points: must be a whole number, got 3.5": (Circle, 1, 3.5),
     "points: must be at most 4096, got 1000000000": (Circle, 1, 10**9),
     "rounding: must be at most 0.5, half the shorter side, got 0.6": (Rectangle, 1, 2, 0.6),
+    "height: must be at least 1e-06, a millionth of width, got 1e-14": (Rectangle, 1, 1e-14),
+    "radius_y: must be at least 2e-06, a millionth of radius_x, got 1e-06": (Ellipse, 2, 1e-6),
+    "radius_x: must be at least 1e-06, a millionth of radius_y, got 1e-07": (Ellipse, 1e-7, 1),
+    "points: must be at least 3, got 1": (Ellipse, 1, 1, 1),
+    "sides: must be at least 3, got 2": (RegularPolygon, 2),
+    "radius_to: must be one of corners, sides, got 'flats'": (RegularPolygon, 6, 1, "flats"),
+    "rounding: must be at most 0.5, where the sides are, got 0.6": (RegularPolygon, 3, 1, "corners", 0.6),
+    "rounding: must be at most 1, where the sides are, got 1.1": (RegularPolygon, 3, 1, "sides", 1.1),
+    "points: must be at least 2, got 1": (Star, 1),
+    "inner: must be more than 0, got 0": (Star, 5, 1, 0),
+    "inner: must be at least 1e-06, a millionth of outer, got 1e-07": (Star, 5, 1, 1e-7),
+    "exponent: must be at least 0.25, got 0": (Superellipse, 1, 1, 0),
+    "exponent: must be at most 100, got 1000": (Superellipse, 1, 1, 1000),
+    "width: must be at least 1e-06, a millionth of height, got 1e-07": (Superellipse, 1e-7, 1),
+    "code: must be the four digits of a NACA aerofoil, such as 2412, got '23012'": (Aerofoil, "23012"),
+    "code: must be the four digits of a NACA aerofoil, such as 2412, got 'Clark Y'": (Aerofoil, "Clark Y"),
+    "code: must be the four digits of a NACA aerofoil, such as 2412, got ''": (Aerofoil, ""),
+    "code: must be the four digits of a NACA aerofoil, such as 2412, got '٢٤١٢'": (Aerofoil, "٢٤١٢"),
+    "code: must be text, got 2412": (Aerofoil, 2412),
+    "code: must have a camber and its place, or 00 for neither, got '2012'": (Aerofoil, "2012"),
+    "code: must have a camber and its place, or 00 for neither, got '0412'": (Aerofoil, "0412"),
+    "code: must have a thickness, its last two digits, got '2400'": (Aerofoil, "2400"),
+    "chord: must be more than 0, got 0": (Aerofoil, "2412", 0),
+    "reference: must be at most 1, got 1.5": (Aerofoil, "2412", 1, 1.5),
+    "trailing_edge: must be one of closed, open, got 'blunt'": (Aerofoil, "2412", 1, 0.25, "blunt"),
+    "side_points: must be at least 3, got 2": (Aerofoil, "2412", 1, 0.25, "open", 2),
     "loops: must have at least 3 different points, got 2": (Outline, [SQUARE[:2]]),
     "loops: must enclose an area, got 3 points on one line": (Outline, [[(0, 0), (1, 0), (2, 0)]]),
     "loops: must not cross or touch itself, got a crossing near (0.5, 0.5)": (
@@ -90,9 +117,9 @@ VALUES = {  # refused when it is made
 }  # fmt: skip
 
 SHAPES = {  # refused when the shape is made, or its mesh
-    "contour: must be one of circle, rectangle, outline, got 'square'": {"contour": "square"},
+    f"contour: must be one of {CONTOURS}, got 'square'": {"contour": "square"},
     "contour.radus: is no parameter of Circle, which has radius, points": {"contour": {"kind": "circle", "radus": 1}},
-    "contour.kind: must be one of circle, rectangle, outline, got None": {"contour": {"radius": 1}},
+    f"contour.kind: must be one of {CONTOURS}, got None": {"contour": {"radius": 1}},
     "contour: must reach 2.5e-12 m or more on this trajectory, got 1e-14": {"contour": Circle(1e-14)},
     "trajectory: must be at least 1e-12 m long, got 1e-13": {"trajectory": Line(end=(0, 0, 1e-13))},
     "trajectory: must not turn back on itself, got a reversal at u = 1": {

@@ -12,14 +12,32 @@ Examples
 
 from importlib import import_module
 
+from .aerofoil import Aerofoil
 from .circle import Circle
+from .ellipse import Ellipse
 from .outline import Outline
 from .rectangle import Rectangle
+from .regular_polygon import RegularPolygon
 from .section import Section
+from .star import Star
+from .superellipse import Superellipse
 
-Contour = Circle | Rectangle | Outline
+Contour = Circle | Ellipse | Rectangle | RegularPolygon | Star | Superellipse | Aerofoil | Outline
 
-__all__ = ["Circle", "Contour", "Outline", "Rectangle", "Section", "from_svg", "from_text"]
+__all__ = [
+    "Aerofoil",
+    "Circle",
+    "Contour",
+    "Ellipse",
+    "Outline",
+    "Rectangle",
+    "RegularPolygon",
+    "Section",
+    "Star",
+    "Superellipse",
+    "from_svg",
+    "from_text",
+]
 
 LATER = {"from_svg": ".svg", "from_text": ".fonts"}
 

@@ -24,8 +24,20 @@ class Circle:
     radius: float = length(1.0, "Distance of the points from the centre")
     points: int = count(64, "Points around the circle", minimum=3, maximum=4096, soft_maximum=128)
 
+    @property
+    def area(self):
+        """What the curve encloses, in square metres."""
+        return np.pi * self.radius**2
+
     def section(self):
         """The polygon as a `Section` of one loop."""
-        angles = 2 * np.pi * np.arange(self.points) / self.points
-        around = self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-        return Section(around, np.array([0, self.points]), np.zeros(self.points, dtype=bool))
+        return Section(self.around(0.0), np.array([0, self.points]), np.zeros(self.points, dtype=bool))
+
+    def apexes(self):
+        """(points, 2) float array: the point of the curve that is farthest from each edge."""
+        return self.around(0.5)
+
+    def around(self, ahead):
+        """(points, 2) float array: points of the curve, a part of a step ahead of the polygon's."""
+        angles = 2 * np.pi * (np.arange(self.points) + ahead) / self.points
+        return self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)

@@ -45,10 +45,15 @@ def checked_numbers(loop, which):
     return points
 
 
+def apart(points, offsets):
+    """(m,) bool array: whether each point does not coincide with the next of its loop."""
+    step = np.hypot(*(points[following(offsets)] - points).T)
+    return step > COINCIDENT * np.hypot(*np.ptp(points, axis=0))
+
+
 def without_coincident(points, offsets, sharp):
     """The points that do not coincide with the next of their loop, which inherits their sharpness; refuses too few."""
-    step = np.hypot(*(points[following(offsets)] - points).T)
-    kept = np.flatnonzero(step > COINCIDENT * np.hypot(*np.ptp(points, axis=0)))
+    kept = np.flatnonzero(apart(points, offsets))
     kept_offsets = np.searchsorted(kept, offsets)
     for i, n in enumerate(np.diff(kept_offsets).tolist()):
         require(n >= 3, f"{spoken(i, len(offsets) - 1)}must have at least 3 different points", n)

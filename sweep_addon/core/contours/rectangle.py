@@ -5,7 +5,11 @@
 import numpy as np
 
 from ..parameters import count, declared, length, parameter, require
+from .breadth import require_broad
+from .rounding import rounded, rounded_apexes
 from .section import Section
+
+TOWARDS = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])  # the corners
 
 
 @declared
@@ -30,16 +34,27 @@ class Rectangle:
     corner_points: int = count(8, "Points around each rounded corner", minimum=2, maximum=1024, soft_maximum=32)
 
     def check(self):
+        require_broad(self, "width", "height")
         most = min(self.width, self.height) / 2
         require(self.rounding <= most, f"must be at most {most:g}, half the shorter side", self.rounding, "rounding")
 
+    @property
+    def area(self):
+        """What the curve encloses, in square metres."""
+        return self.width * self.height - (4 - np.pi) * self.rounding**2
+
     def section(self):
         """The rectangle as a `Section` of one loop, which begins at the corner of +x and +y."""
-        half = np.array([self.width, self.height]) / 2
-        towards = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
         if self.rounding == 0:
-            return Section(half * towards, np.array([0, 4]), np.ones(4, dtype=bool))
-        angles = np.linspace(0, np.pi / 2, self.corner_points) + np.pi / 2 * np.arange(4)[:, None]
-        arcs = self.rounding * np.stack([np.cos(angles), np.sin(angles)], axis=2)
-        points = ((half - self.rounding) * towards)[:, None] + arcs
-        return Section.from_loops([points.reshape(-1, 2)], sharp=[np.zeros(angles.size, dtype=bool)])
+            half = np.array([self.width, self.height]) / 2
+            return Section(half * TOWARDS, np.array([0, 4]), np.ones(4, dtype=bool))
+        return rounded(*self.corners())
+
+    def apexes(self):
+        """(m, 2) float array: the point of the curve that is farthest from each edge; none without curves."""
+        return rounded_apexes(*self.corners()) if self.rounding else None
+
+    def corners(self):
+        """The arcs: their centres, radius, first angles, angle and points."""
+        half = np.array([self.width, self.height]) / 2
+        return (half - self.rounding) * TOWARDS, self.rounding, np.pi / 2 * np.arange(4), np.pi / 2, self.corner_points

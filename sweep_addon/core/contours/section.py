@@ -9,6 +9,7 @@ import numpy as np
 
 from .loops import following, joined, loop_of, require_apart, require_area, without_coincident
 from .nesting import nesting
+from .symmetry import symmetry
 
 SHARP = np.radians(20)  # an edge that turns by more is a corner; flattened curves turn by at most 15 degrees
 
@@ -149,6 +150,11 @@ class Section:
             if i in holes:
                 holes[i].append(j)
         return tuple((i, *inside) for i, inside in holes.items())
+
+    @cached_property
+    def symmetry(self):
+        """In how many turns about the reference point the section is mapped to itself; 1 if by none but a whole one."""
+        return symmetry(self)
 
     def translated(self, vector):
         """The section moved by a vector of (2,) metres."""

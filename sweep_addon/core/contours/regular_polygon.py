@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The regular polygon, its corners sharp or rounded, as a contour."""
+
+from enum import Enum
+from math import cos, pi, tan
+
+import numpy as np
+
+from ..parameters import count, declared, length, parameter, require
+from .rounding import rounded, rounded_apexes
+from .section import Section
+
+
+class RadiusTo(Enum):
+    CORNERS = "The radius is that of the circle through the corners"
+    SIDES = "The radius is that of the circle inside, half the size across flats"
+
+
+@declared
+class RegularPolygon:
+    """A polygon of equal sides and angles
+
+    About its reference point, a corner on +x. Corners without rounding are sharp however many, rounded ones are
+    smooth however few their points.
+
+    Examples
+    --------
+    A hexagon of 2 m across flats has the area 2 sqrt(3):
+
+    >>> hexagon = RegularPolygon(sides=6, radius=1.0, radius_to="sides")
+    >>> round(hexagon.section().area**2, 9)
+    12.0
+    """
+
+    sides: int = count(6, "Number of sides", minimum=3, maximum=1024, soft_maximum=16)
+    radius: float = length(1.0, "Distance of the corners, or of the sides, from the centre")
+    radius_to: RadiusTo = parameter(RadiusTo.CORNERS, "What the radius is measured to")
+    rounding: float = parameter(
+        0.0, "Radius of the corners, at most the distance of the sides from the centre; 0 leaves them sharp",
+        unit="length", minimum=0.0,
+    )  # fmt: skip
+    corner_points: int = count(8, "Points around each rounded corner", minimum=2, maximum=256, soft_maximum=32)
+
+    def check(self):
+        most = self.inner
+        require(self.rounding <= most, f"must be at most {most:.9g}, where the sides are", self.rounding, "rounding")
+
+    @property
+    def inner(self):
+        """The distance of the sides from the centre, in metres."""
+        return self.radius * (cos(pi / self.sides) if self.radius_to is RadiusTo.CORNERS else 1)
+
+    @property
+    def area(self):
+        """What the sides and arcs enclose, in square metres."""
+        corners = self.sides * tan(pi / self.sides)  # of a polygon about the unit circle
+        return corners * self.inner**2 - (corners - pi) * self.rounding**2
+
+    def section(self):
+        """The polygon as a `Section` of one loop, which begins at the corner on +x."""
+        if self.rounding == 0:
+            corners = self.towards() * self.inner / cos(pi / self.sides)
+            return Section(corners, np.array([0, self.sides]), np.ones(self.sides, dtype=bool))
+        return rounded(*self.corners())
+
+    def apexes(self):
+        """(m, 2) float array: the point of the curve that is farthest from each edge; none without curves."""
+        return rounded_apexes(*self.corners()) if self.rounding else None
+
+    def towards(self):
+        """(sides, 2) float array: the directions of the corners."""
+        angles = 2 * pi * np.arange(self.sides) / self.sides
+        return np.stack([np.cos(angles), np.sin(angles)], axis=1)
+
+    def corners(self):
+        """The arcs: their centres, radius, first angles, angle and points."""
+        half = pi / self.sides
+        centres = self.towards() * (self.inner - self.rounding) / cos(half)
+        return centres, self.rounding, half * (2 * np.arange(self.sides) - 1), 2 * half, self.corner_points
