@@ -15,6 +15,7 @@ from importlib import import_module
 from .aerofoil import Aerofoil
 from .circle import Circle
 from .ellipse import Ellipse
+from .fit import Fit, fitted
 from .outline import Outline
 from .rectangle import Rectangle
 from .regular_polygon import RegularPolygon
@@ -29,12 +30,14 @@ __all__ = [
     "Circle",
     "Contour",
     "Ellipse",
+    "Fit",
     "Outline",
     "Rectangle",
     "RegularPolygon",
     "Section",
     "Star",
     "Superellipse",
+    "fitted",
     "from_svg",
     "from_text",
 ]

@@ -64,6 +64,21 @@ def arc_points(start, end, bulges, count):
     return start[edge] + ratio[:, None] * np.stack([x, y], axis=1)
 
 
+def segments(start, end, bulges):
+    """(n,) float array: the area between each arc and its chord, to the right of the chord positive.
+
+    Examples
+    --------
+    >>> segments(np.array([[1.0, 0.0]]), np.array([[-1.0, 0.0]]), np.array([1.0])).round(6).tolist()
+    [1.570796]
+    """
+    angle = 4 * np.arctan(bulges)
+    series = angle**3 / 6 * (1 - angle**2 / 20 + angle**4 / 840)  # where the difference would cancel
+    excess = np.where(np.abs(angle) < 0.04, series, angle - np.sin(angle))
+    radius = np.hypot(*(end - start).T) * (1 + bulges**2) / (4 * np.where(bulges == 0, 1, bulges))
+    return radius**2 / 2 * excess
+
+
 def tangent_turns(start, end, bulges, following):
     """(n,) float array: the angle in radians by which the outline turns where each edge starts, left is positive.
 

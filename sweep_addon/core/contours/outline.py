@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..parameters import Array, at, declared, parameter, require
-from .arcs import apexes, arc_points, chords, tangent_turns
+from .arcs import apexes, arc_points, chords, segments, tangent_turns
 from .loops import following, joined
 from .section import SHARP, Section
 
@@ -51,30 +51,64 @@ class Outline:
         require(steep <= 1000, "must be at most 1000", steep, "bulges")
         self.section()
 
+    @property
+    def area(self):
+        """What the lines and arcs enclose, holes taken off, in square metres."""
+        corners, offsets, bulges = self.edges()
+        start, end = corners, corners[following(offsets)]
+        straight = Section(corners, offsets, np.zeros(len(corners), dtype=bool)).areas
+        loops = np.abs(straight + np.add.reduceat(segments(start, end, bulges), offsets[:-1]))
+        return float(loops @ np.where(self.section().depth % 2, -1, 1))
+
     def section(self):
         """The flattened loops as a `Section`; made once for equal outlines."""
         return flattened(self)
+
+    def apexes(self):
+        """(m, 2) float array: the point of the curve that is farthest from each edge; none without curves."""
+        if not self.edges()[2].any():
+            return None
+        raw, bulges = chained(self)
+        middles = apexes(raw.points, raw.points[raw.following], bulges)
+        section = self.section()
+        keys, sought = raw.points @ (1, 1j), section.points @ (1, 1j)  # the section's points are some of the raw ones
+        order = keys.argsort(kind="stable")
+        index = order[np.searchsorted(keys, sought, side="right", sorter=order) - 1]
+        turned = (raw.areas > 0) != (section.areas > 0)
+        return middles[np.where(turned[section.loop_of], index[section.following], index)]
+
+    def edges(self):
+        """Where the lines and arcs start, (m, 2), the offsets of the loops, and the bulges, (m,)."""
+        corners, offsets = joined(self.loops)
+        return corners, offsets, np.concatenate(self.bulges) if self.bulges else np.zeros(len(corners))
 
 
 @lru_cache(maxsize=64)
 def flattened(outline):
     """The section of an outline; refuses loops that cross, touch or enclose nothing."""
     with at("loops"):
-        corners, offsets = joined(outline.loops)
-        bulges = np.concatenate([np.zeros(0), *outline.bulges])
-        if not bulges.any():
+        if not outline.edges()[2].any():
             return Section.from_loops(outline.loops)
+    raw, _ = chained(outline)
+    cuts = raw.offsets[1:-1]
+    with at("loops"):
+        return Section.from_loops(np.split(raw.points, cuts), np.split(raw.sharp, cuts))
+
+
+def chained(outline):
+    """The chords of an outline's lines and arcs, its loops unchecked and as they run, and the bulge over each chord."""
+    with at("loops"):
+        corners, offsets, bulges = outline.edges()
     start, end = corners, corners[following(offsets)]
     tolerance = outline.tolerance or size(np.concatenate([corners, apexes(start, end, bulges)])) / 1000
     count = chords(start, end, bulges, tolerance)
     total = int(count.sum())
     require(total <= MOST_POINTS, f"must be large enough to give at most {MOST_POINTS} points", total, "tolerance")
-    first = np.cumsum(count) - count
-    sharp = np.zeros(count.sum(), dtype=bool)
-    sharp[first] = np.abs(tangent_turns(start, end, bulges, following(offsets))) > SHARP
-    cuts = first[offsets[1:-1]]
-    with at("loops"):
-        return Section.from_loops(np.split(arc_points(start, end, bulges, count), cuts), np.split(sharp, cuts))
+    first = np.cumsum([0, *count])
+    sharp = np.zeros(total, dtype=bool)
+    sharp[first[:-1]] = np.abs(tangent_turns(start, end, bulges, following(offsets))) > SHARP
+    raw = Section(arc_points(start, end, bulges, count), first[offsets], sharp)
+    return raw, np.repeat(np.tan(np.arctan(bulges) / count), count)
 
 
 def size(points):
