@@ -36,9 +36,11 @@ class ShapeError(ValueError):
     Examples
     --------
     >>> from sweep_addon.core.contours import Circle
-    >>> Circle(radius=-1)
-    Traceback (most recent call last):
-    sweep_addon.core.parameters.ShapeError: radius: must be more than 0, got -1
+    >>> try:
+    ...     Circle(radius=-1)
+    ... except ShapeError as refusal:
+    ...     print(refusal)
+    radius: must be more than 0, got -1
     """
 
     def __init__(self, sentence, key=""):

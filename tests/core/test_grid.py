@@ -147,7 +147,8 @@ def test_attributes_say_where_on_the_sweep_a_vertex_is():
     assert np.abs(mesh.attributes["arc_length"] - height).max() < 1e-12
     assert np.abs(mesh.attributes["u"] - height / 3).max() < 1e-12
     turned = (angle - angle[0]) % (2 * np.pi)
-    around = mesh.attributes["v"] / mesh.attributes["v"].max() * 63 / 64 * 2 * np.pi
+    perimeter = 64 * 2 * 0.5 * np.sin(np.pi / 64)  # of the polygon, in metres
+    around = mesh.attributes["v"] / perimeter * 2 * np.pi
     rings = height < 3
     assert np.abs(np.cos(turned - around)[rings] - 1).max() < 1e-12
 
