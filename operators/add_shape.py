@@ -6,6 +6,7 @@ from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ..sweep_addon.bridge import layout, objects, rna
+from ..sweep_addon.core.description import summary
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
 
@@ -35,7 +36,7 @@ def add_operator(shape):
     """The operator that adds one shape."""
     name = spelled(shape, "_")
     members = {
-        "__doc__": rna.first_line(shape.__doc__),
+        "__doc__": summary(shape),
         "__annotations__": rna.annotations(parameters(shape)),
         "bl_idname": f"mesh.{name}_add",
         "bl_label": objects.title(shape),

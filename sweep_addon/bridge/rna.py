@@ -14,6 +14,7 @@ from functools import lru_cache
 import bpy
 import numpy as np
 
+from ..core.description import summary
 from ..core.forms import plain
 from ..core.parameters import ShapeError, at, inside, parameters, require, spelled
 
@@ -40,7 +41,7 @@ def define(p, pointers, common):
     """The property of one parameter."""
     common = {**common, "default": stored(p, p.default)}
     if p.kinds or isinstance(p.type, EnumMeta):
-        items = [item(kind, first_line(kind.__doc__)) for kind in p.kinds]
+        items = [item(kind, summary(kind)) for kind in p.kinds]
         items = items or [item(member, member.value) for member in p.type]
         if p.accepts and pointers:
             items.append(("OBJECT", "Object", "An object of the scene", 0))
@@ -67,10 +68,6 @@ def item(choice, doc):
     """An enum's item. Its number is saved in files and goes through float32 in keyframes: from the name, 24 bits."""
     name = spelled(choice, "_")
     return name.upper(), name.replace("_", " ").title(), doc, zlib.crc32(name.encode()) % 2**24
-
-
-def first_line(text):
-    return text.strip().splitlines()[0]
 
 
 def only(types):

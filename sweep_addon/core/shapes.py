@@ -3,5 +3,7 @@
 """The shapes of the program: adding one here brings it to Blender, job files and the command line."""
 
 from .generalized_cylinder import GeneralizedCylinder
+from .parameters import spelled
 
 SHAPES = (GeneralizedCylinder,)
+SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

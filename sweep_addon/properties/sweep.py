@@ -8,6 +8,7 @@ Undo brings parameters and mesh back together, Shift-D copies both and Alt-D sha
 import bpy
 
 from ..bridge import rna
+from ..core.description import summary
 from ..core.forms import VERSION
 from ..core.parameters import parameters, spelled
 from ..core.shapes import SHAPES
@@ -41,7 +42,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     __annotations__ = {
         **{name: bpy.props.PointerProperty(type=group) for name, group in GROUPS.items()},
         "kind": bpy.props.EnumProperty(
-            items=[("NONE", "None", "An ordinary mesh", 0), *(rna.item(s, rna.first_line(s.__doc__)) for s in SHAPES)],
+            items=[("NONE", "None", "An ordinary mesh", 0), *(rna.item(s, summary(s)) for s in SHAPES)],
             options=set(),  # not animated: a mesh that is a sweep in some frames only could not say what it is
             update=update,
             name="Shape",

@@ -6,10 +6,9 @@ from importlib import import_module
 
 import numpy as np
 
-from ..parameters import ShapeError, require
+from ..parameters import LARGEST, ShapeError, require
 from .filling import filled
 from .flatten import flatten_cubics
-from .loops import LARGEST
 from .outline import Outline
 from .section import Section
 
