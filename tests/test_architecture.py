@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imports point one way: panels -> operators -> {properties, batch} -> bridge -> core."""
+"""Imports point one way: panels -> operators -> batch -> properties -> bridge -> core, and presets -> core."""
 
 import ast
 from pathlib import Path
@@ -11,12 +11,13 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 # What each part may import of the others. The library's front, sweep_addon/__init__.py, offers all that is below it.
 BELOW = {
     "sweep_addon/core": set(),
+    "sweep_addon/presets": {"sweep_addon/core"},
     "sweep_addon/bridge": {"sweep_addon/core"},
     "sweep_addon/properties": {"sweep_addon/core", "sweep_addon/bridge"},
-    "sweep_addon/batch": {"sweep_addon/core", "sweep_addon/bridge"},
-    "operators": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties", "sweep_addon/batch"},
-    "panels": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties", "sweep_addon/batch", "operators"},
+    "sweep_addon/batch": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties"},
 }
+BELOW["operators"] = set(BELOW)
+BELOW["panels"] = set(BELOW)
 
 
 def part(path):
@@ -48,6 +49,11 @@ def upward(file):
 
 
 FOLDERS = [name for name in BELOW if (CHECKOUT / name).is_dir()]
+
+
+def test_every_part_of_the_library_has_its_place():
+    parts = {file.parent.relative_to(CHECKOUT).as_posix() for file in CHECKOUT.glob("sweep_addon/*/__init__.py")}
+    assert parts == {name for name in BELOW if name.startswith("sweep_addon/")}
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
