@@ -17,5 +17,14 @@ def leave(code):
     sys.exit(code)
 
 
+def run():
+    """The exit code; a mistake of the program is told here, as nothing may end this process but `leave`."""
+    try:
+        return main(sys.argv[1:])
+    except Exception:
+        sys.excepthook(*sys.exc_info())
+        return 1
+
+
 if __name__ == "__main__":
-    leave(main(sys.argv[1:]))
+    leave(run())

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Batch: job files read, planned, run on any number of machines, and written as models and pictures."""
 
-COMMAND = []  # what Blender gave for the command, and wants back
+COMMAND = []  # what Blender gave for the command: it takes nothing else back, and has no list to find it in again
 
 
 def register():

@@ -79,7 +79,7 @@ def main(arguments):
         return stop.code or DONE
     except ShapeError as refusal:
         sys.stderr.write(f"{refusal}\n")
-        return REFUSED
+        return verbs.code_of(refusal)
     except verbs.CommandError as failure:
         sys.stderr.write(f"{failure}\n")
         return FAILED

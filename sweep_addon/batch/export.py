@@ -10,7 +10,7 @@ import sys
 from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 
-from ..core.parameters import ShapeError, require
+from ..core.parameters import require
 
 
 def save_blend(path):
@@ -72,13 +72,13 @@ def whole(output):
     output : Path
         Absolute. Other files written beside it, as an .obj's materials, go to its folder too.
     """
-    part = output.with_name(f"{output.name}.part")
+    part = output.with_name(f".sweep-{output.name}.part")  # a name that is this program's alone
     shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
     try:
         part.mkdir()
         yield part / output.name
         if not (part / output.name).is_file():
-            raise ShapeError(f"was not written by Blender's exporter: {output.name}", "output")
+            raise RuntimeError(f"Blender's exporter wrote no {output.name}")
         for file in sorted(part.iterdir(), key=lambda file: file.name == output.name):  # the output last
             os.replace(file, output.with_name(file.name))
     finally:

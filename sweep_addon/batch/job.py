@@ -10,21 +10,10 @@ from os import PathLike
 from pathlib import Path
 
 from ..core import description, forms
-from ..core.parameters import (
-    ShapeError,
-    angle,
-    at,
-    count,
-    declared,
-    from_table,
-    parameter,
-    parameters,
-    require,
-    spelled,
-)
-from ..core.shapes import SHAPES
+from ..core.parameters import ShapeError, angle, at, count, declared, from_table, parameter, parameters, require
+from ..core.shapes import SHAPE_NAMES, SHAPES
 from .lines import line_of
-from .references import LARGEST, resolve, with_references
+from .references import resolve, with_references
 
 
 class Engine(Enum):
@@ -128,14 +117,14 @@ def read(path):
         text = content(path)
         job = parse(text, path.parent)
     except ShapeError as error:
-        raise JobError(error, path, decoded(text)) from None
+        raise JobError(error, path, decoded(text)) from error.__cause__
     return Job(job.shape, job.render, job.digest, path)
 
 
 def content(path):
     try:
-        if path.is_file() and path.stat().st_size > LARGEST:
-            raise ShapeError(f"must have at most {LARGEST:,} bytes, got {path.stat().st_size:,}")
+        if path.is_file() and path.stat().st_size > forms.LONGEST:
+            raise ShapeError(f"must have at most {forms.LONGEST:,} bytes, got {path.stat().st_size:,}")
         if path.is_file():
             return path.read_bytes()
     except OSError as error:
@@ -159,7 +148,7 @@ def parse(text, folder):
         if not isinstance(picture, dict):
             raise ShapeError("must be a table, [render]")
         render = from_table({"render": Render}, {"kind": "render", **picture}, parameters)
-    shape = {spelled(shape): shape for shape in SHAPES}.get(name(table))
+    shape = SHAPE_NAMES.get(name(table))
     resolved, files = resolve(parameters(shape), table, folder) if shape else (table, ())
     return Job(forms.shape_of(SHAPES, resolved), render, digest(table, picture, files))
 

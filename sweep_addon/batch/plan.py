@@ -4,9 +4,10 @@
 
 import hashlib
 from dataclasses import dataclass
+from os.path import abspath
 from pathlib import Path
 
-from ..core.parameters import ShapeError
+from ..core.parameters import ShapeError, require
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Task:
         return (self.verb, self.job, "--output", self.output, *frame)
 
 
-def plan(verb, jobs, folder, suffix, version=""):
+def plan(verb, jobs, folder, suffix, version="", frame=0):
     """The tasks of some jobs.
 
     Parameters
@@ -53,26 +54,37 @@ def plan(verb, jobs, folder, suffix, version=""):
         ``.glb``, ``.png``, ...
     version : str, optional
         Of the program: outputs of another one are not taken for finished.
+    frame : int
+        Only this picture of each turn, from 1; 0 for all.
 
     Returns
     -------
     tuple of Task
+        A job that is given twice is done once.
 
     Raises
     ------
     ShapeError
-        If two jobs would write the same file.
+        If two jobs would write the same file, or the turn of one has no such picture.
     """
-    tasks, taken = [], {}
+    tasks = {}
     for job in jobs:
-        if taken.setdefault(job.path.stem, job.path) != job.path:
-            raise ShapeError(f"would write {job.path.stem}{suffix}, as {taken[job.path.stem]} does", str(job.path))
-        frames = job.render.frames if verb == "render" else 1
-        for frame in range(1, frames + 1) if frames > 1 else [0]:
-            output = numbered(Path(folder, job.path.stem + suffix), frame)
-            said = hashlib.sha256("\n".join((verb, suffix, str(frame), version, job.digest)).encode())
-            tasks.append(Task(verb, str(job.path), str(output), frame, said.hexdigest()))
-    return tuple(tasks)
+        for number in numbers(job, frame) if verb == "render" else [0]:
+            output = numbered(Path(folder, job.path.stem + suffix), number)
+            said = hashlib.sha256("\n".join((verb, suffix, str(number), version, job.digest)).encode())
+            other = tasks.setdefault(output, Task(verb, str(job.path), str(output), number, said.hexdigest()))
+            if abspath(other.job) != abspath(job.path):
+                raise ShapeError(f"would write {output.name}, as {other.job} does", str(job.path))
+    return tuple(tasks.values())
+
+
+def numbers(job, frame=0):
+    """The numbers of the pictures of a job's turn, or of one of them; 0 alone for a still."""
+    frames = job.render.frames
+    require(0 <= frame <= frames, f"must be from 1 to {frames}, the pictures of {job.path.name}", frame, "frame")
+    if frames == 1:
+        return [0]
+    return [frame] if frame else range(1, frames + 1)
 
 
 def numbered(output, frame):

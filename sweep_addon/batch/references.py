@@ -4,14 +4,13 @@
 
 from contextlib import contextmanager
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 from ..core import contours, trajectories
 from ..core.description import table_schema
-from ..core.parameters import ShapeError, at, declared, from_table, length, parameter, parameters, require
+from ..core.parameters import ShapeError, at, declared, from_table, length, parameter, parameters, require, shown
 
-LARGEST = 50_000_000  # bytes of a drawing or a font
+LARGEST_FILE = 50_000_000  # bytes of a drawing or a font
 
 
 @declared
@@ -75,7 +74,7 @@ def read(reference, is_contour, folder):
         require(is_contour, "stands for a contour only", reference.text, "text")
         require(reference.font, "must be a .ttf or .otf file", reference.font, "font")
         path = existing(folder / reference.font, "font")
-        with about("text"):
+        with keyed("text"):
             return contours.from_text(reference.text, path, size=reference.size), path
     path = existing(folder / reference.file, "file")
     kind = path.suffix.lower()
@@ -83,32 +82,33 @@ def read(reference, is_contour, folder):
     sentence = "must be an .svg or .blend file" if is_contour else "must be a .gpx, .csv or .blend file"
     require(kind in kinds, sentence, reference.file, "file")
     if kind != ".blend":
-        with about("file"):
+        with keyed("file"):
             if is_contour:
                 return contours.from_svg(path, scale=reference.scale), path
             measured = (trajectories.from_gpx if kind == ".gpx" else trajectories.from_csv)(path)
             return lengthened(measured, reference.scale), path
     require(reference.object, "must name an object of the .blend file", reference.object, "object")
-    require(find_spec("bpy") is not None, "needs Blender to be read", reference.file, "file")
-    from ..bridge import files
-
+    try:
+        from ..bridge import files
+    except ImportError as missing:
+        raise ShapeError(f"needs Blender to be read, got {shown(reference.file)}", "file") from missing
     with at("object"):
         found = (files.outline if is_contour else files.trajectory)(path, reference.object)
     return (scaled(found, reference.scale) if is_contour else lengthened(found, reference.scale)), path
 
 
 @contextmanager
-def about(key):
+def keyed(key):
     """Give a refusal that has no key of its own the key that it is about."""
     try:
         yield
     except ShapeError as refusal:
-        raise ShapeError(refusal.sentence, refusal.key or key) from None
+        raise ShapeError(refusal.sentence, refusal.key or key) from refusal.__cause__
 
 
 def existing(path, key):
     require(path.is_file(), "must be a file that exists", str(path), key)
-    require(path.stat().st_size <= LARGEST, f"must have at most {LARGEST:,} bytes", path.stat().st_size, key)
+    require(path.stat().st_size <= LARGEST_FILE, f"must have at most {LARGEST_FILE:,} bytes", path.stat().st_size, key)
     return path
 
 

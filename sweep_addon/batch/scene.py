@@ -12,6 +12,7 @@ from math import tau
 import bpy
 import numpy as np
 
+from .. import properties
 from ..bridge import objects
 from ..core.parameters import require
 from . import studio
@@ -40,6 +41,8 @@ def compose(job, name, frame=0):
     bpy.types.Object
         The shape, active and selected.
     """
+    if not hasattr(bpy.types.Mesh, "sweep"):  # Blender is a Python module, where no extension is enabled
+        properties.register()
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     scene, render = bpy.context.scene, job.render
     ob = objects.to_object(job.shape, name)

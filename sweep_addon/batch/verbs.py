@@ -14,15 +14,26 @@ from pathlib import Path
 
 from ..core import description, forms
 from ..core.parameters import ShapeError, parameters, require, spelled
-from ..core.shapes import SHAPES
+from ..core.shapes import SHAPE_NAMES, SHAPES
 from . import job as jobs
-from .export import MODELS, PICTURES, check_output, save_model
-from .plan import numbered, plan
+from .export import MODELS, PICTURES, check_output, save_model, silent
+from .plan import numbered, numbers, plan
 from .run import run
 
 
 class CommandError(Exception):
     """Something that should have worked did not: a sentence."""
+
+
+def code_of(refusal):
+    """The exit code of a refusal: 2 where what was told is wrong, 1 where only a library or Blender is missing here."""
+    return 1 if isinstance(refusal.__cause__, ImportError) else 2
+
+
+def read(path):
+    """The job in a file; what Blender prints about a file that it refers to is no result."""
+    with silent():
+        return jobs.read(path)
 
 
 def build(told):
@@ -46,14 +57,12 @@ def render(told):
     """Write a picture of the shape of a job, made as its table [render] says."""
     need_blender()
     if told.output_dir:
-        return run_many("render", told)
+        return run_many("render", told, told.frame)
     output, job = check_output(told.output, PICTURES), only_job(told)
-    frames = job.render.frames
-    require(0 <= told.frame <= frames, f"must be from 1 to {frames}", told.frame, "frame")
-    wanted = [told.frame] if told.frame or frames == 1 else range(1, frames + 1)
+    frames = numbers(job, told.frame)
     from . import scene
 
-    for frame in wanted:
+    for frame in frames:
         with pointing_at(job):
             scene.compose(job, job.path.stem, frame)
         written = output if frame == told.frame else numbered(output, frame)
@@ -68,13 +77,13 @@ def check(told):
     code = 0
     for path in told.jobs:
         try:
-            job = jobs.read(path)
+            job = read(path)
             with pointing_at(job):
                 mesh = job.shape.mesh()
             say(f"{path}: {len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces")
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
-            code = 2
+            code = max(code, code_of(refusal))
     return code
 
 
@@ -84,7 +93,7 @@ def describe(told):
     if told.schema:
         say(json.dumps(jobs.schema(), indent=2))
         return 0
-    kinds = {spelled(shape): shape for shape in SHAPES}
+    kinds = dict(SHAPE_NAMES)
     if not told.shape:
         say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in kinds.items()))
         return 0
@@ -109,21 +118,21 @@ def table(name, kind):
     return "\n".join(lines)
 
 
-def run_many(verb, told):
+def run_many(verb, told, frame=0):
     """Do many jobs, each in a process of its own, and go on where the last run stopped."""
     require(not told.output and told.parallel >= 1, "must be at least 1", told.parallel, "parallel")
-    read, refused = [], 0
+    understood, refused = [], 0
     for path in told.jobs:
         try:
-            read.append(jobs.read(path))
+            understood.append(read(path))
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
-            refused = 2
+            refused = max(refused, code_of(refusal))
     if refused:
         return refused
     folder = Path(told.output_dir).absolute()
+    tasks = plan(verb, understood, folder, f".{told.format}", version(), frame)
     folder.mkdir(parents=True, exist_ok=True)
-    tasks = plan(verb, read, folder, f".{told.format}", version=version())
     failed = 0
     with ThreadPoolExecutor(max_workers=told.parallel) as executor:
         for number, result in enumerate(run(tasks, program(told.arguments), executor, told.again), 1):
@@ -165,21 +174,12 @@ def pointing_at(job):
         yield
     except ShapeError as refusal:
         text = jobs.decoded(job.path.read_bytes())
-        raise jobs.JobError(refusal if refusal.key else with_key(job.shape, refusal), job.path, text) from None
-
-
-def with_key(shape, refusal):
-    """The refusal that a shape itself gives in place of one that an object reported as text."""
-    try:
-        shape.mesh()
-    except ShapeError as same:
-        return same
-    return refusal
+        raise jobs.JobError(refusal, job.path, text) from refusal.__cause__
 
 
 def only_job(told):
     require(len(told.jobs) == 1, "takes one job; for more give --output-dir", len(told.jobs), "output")
-    return jobs.read(told.jobs[0])
+    return read(told.jobs[0])
 
 
 def need_blender():

@@ -32,7 +32,7 @@ def new_mesh(shape, name=None, **objects):
         if hasattr(mesh, "sweep"):
             rna.assign(mesh.sweep, shape, **objects)
             if mesh.sweep.error:
-                raise ShapeError(mesh.sweep.error)
+                raise ShapeError.read(mesh.sweep.error)
         else:
             meshes.write(mesh, shape.mesh(dtype="f4"))
     except ShapeError:
@@ -107,7 +107,8 @@ def from_object(ob):
 
 def is_sweep(ob):
     """Whether an object's mesh is made from parameters."""
-    return ob is not None and ob.type == "MESH" and ob.data.sweep.kind != "NONE"
+    sweep = getattr(ob.data, "sweep", None) if ob is not None and ob.type == "MESH" else None
+    return sweep is not None and sweep.kind != "NONE"  # None too where the extension is not enabled
 
 
 def title(shape):

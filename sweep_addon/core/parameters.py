@@ -47,6 +47,16 @@ class ShapeError(ValueError):
         super().__init__(f"{key}: {sentence}" if key else sentence)
         self.sentence, self.key = sentence, key
 
+    @classmethod
+    def read(cls, text):
+        """The refusal that was written as text; a key has no blanks.
+
+        >>> ShapeError.read("contour.radius: must be more than 0, got -1").key
+        'contour.radius'
+        """
+        key, colon, sentence = text.partition(": ")
+        return cls(sentence, key) if colon and " " not in key else cls(text)
+
 
 @contextmanager
 def at(key):
@@ -54,7 +64,7 @@ def at(key):
     try:
         yield
     except ShapeError as error:
-        raise ShapeError(error.sentence, ".".join(filter(None, (key, error.key)))) from None
+        raise ShapeError(error.sentence, ".".join(filter(None, (key, error.key)))) from error.__cause__
 
 
 def require(holds, sentence, value, key=""):

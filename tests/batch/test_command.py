@@ -15,6 +15,7 @@ import pytest
 import sweep_addon as sw
 from sweep_addon.batch import verbs
 from sweep_addon.batch.command import main
+from sweep_addon.batch.run import Result
 
 CHECKOUT = Path(__file__).parents[2]
 TUBE = sw.GeneralizedCylinder(
@@ -84,6 +85,27 @@ def test_without_blender_the_way_to_it_is_told(verb, job, capsys):
     assert told.startswith("This needs Blender: ") and "pip install" in told and told.count("\n") == 1
 
 
+@pytest.mark.skipif(importlib.util.find_spec("bpy") is not None, reason="this host has Blender")
+def test_a_job_that_only_blender_can_read_is_not_called_wrong(job, capsys):
+    job.with_name("a.blend").write_bytes(b"")
+    job.write_text('kind = "generalized-cylinder"\ntrajectory = { file = "a.blend", object = "Curve" }')
+    assert main(["check", str(job)]) == 1
+    assert capsys.readouterr().err == f"{job}:2: trajectory.file: needs Blender to be read, got 'a.blend'\n"
+    wrong = job.with_name("wrong.toml")
+    wrong.write_text("kind = 3")
+    assert main(["check", str(wrong), str(job)]) == 2
+    with pytest.raises(sw.ShapeError, match="needs Blender"):
+        sw.load(job)
+
+
+def test_what_blender_prints_is_no_result(scene, job, capfd):
+    job.with_name("a.blend").write_bytes(b"no file of Blender's")
+    job.write_text('kind = "generalized-cylinder"\ntrajectory = { file = "a.blend", object = "Curve" }')
+    assert main(["check", str(job)]) == 2
+    told = capfd.readouterr()
+    assert told.out == "" and told.err.startswith(f"{job}:2: trajectory.object: must be in a .blend file that Blender ")
+
+
 def test_help_is_a_result(capsys):
     assert main(["render", "--help"]) == 0
     told = capsys.readouterr()
@@ -151,12 +173,69 @@ def test_a_blend_file_holds_the_scene(scene, job, capfd):
 
     built(job, ".blend", capfd)
     bpy.ops.wm.open_mainfile(filepath=str(job.with_suffix(".blend")))
-    assert {"tube", "Camera", "Ground", "Key"} >= {ob.name for ob in bpy.data.objects} - {"Fill", "Rim"}
+    assert {ob.name for ob in bpy.data.objects} == {
+        "tube",
+        "Camera",
+        "Key",
+        "Fill",
+        "Rim",
+    }  # no ground where nothing is behind
     ob = bpy.data.objects["tube"]
-    assert len(ob.data.vertices) == len(TUBE.mesh().vertices)
     ends = np.zeros(len(ob.data.polygons), np.int32)
     ob.data.polygons.foreach_get("material_index", ends)
     assert set(ends) == {0, 1} and [material.name for material in ob.data.materials] == ["Side", "Caps"]
+    assert_live(ob)
+
+
+def assert_live(ob):
+    """The mesh knows what it is made from, and follows it."""
+    assert sw.from_object(ob) == TUBE and len(ob.data.vertices) == len(TUBE.mesh().vertices)
+    width = max(vertex.co.x for vertex in ob.data.vertices)
+    ob.data.sweep.generalized_cylinder.contour_rectangle_width *= 2
+    assert max(vertex.co.x for vertex in ob.data.vertices) == pytest.approx(2 * width)
+
+
+def need_module():
+    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
+        pytest.skip("this host's Python is started by Blender alone")
+
+
+def alone(*arguments):
+    """Run Python where Blender is a module of it and no extension is enabled."""
+    need_module()
+    return subprocess.run([sys.executable, *arguments], cwd=CHECKOUT, capture_output=True, text=True, timeout=120)
+
+
+def test_a_blend_file_that_python_alone_wrote_is_live(scene, job):
+    import bpy
+
+    output = job.with_suffix(".blend")
+    done = alone("-m", "sweep_addon", "build", str(job), "--output", str(output))
+    assert (done.returncode, done.stdout, done.stderr) == (0, f"{output}\n", "")
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    assert_live(bpy.data.objects["tube"])
+
+
+def test_where_the_extension_is_not_enabled_no_object_is_a_sweep(scene):
+    done = alone("-c", """
+import bpy, sweep_addon as sw
+ob = sw.to_object(sw.GeneralizedCylinder(), "tube")
+try:
+    sw.from_object(ob)
+except sw.ShapeError as refusal:
+    print(len(ob.data.polygons) > 0, refusal)
+""")  # fmt: skip
+    assert (done.stdout, done.stderr) == ("True object: must be a sweep, got 'tube'\n", "")
+
+
+def test_a_shape_that_cannot_be_made_is_refused_at_its_line(scene, job, capsys):
+    job.write_text(sw.dump(TUBE).replace('"1 - t/2"', '"1/t"'))
+    assert main(["build", str(job), "--output", str(job.with_suffix(".glb"))]) == 2
+    told = capsys.readouterr().err
+    assert told.startswith(f"{job}:3: scale_x: must be finite everywhere, got inf at ") and told.count("\n") == 1
+    with pytest.raises(sw.ShapeError) as refusal:
+        sw.to_object(sw.load(job))
+    assert refusal.value.key == "scale_x" and refusal.value.sentence.startswith("must be finite everywhere")
 
 
 def test_a_picture_is_filled_to_its_margin(scene, job, capfd):
@@ -180,7 +259,7 @@ def test_a_picture_is_filled_to_its_margin(scene, job, capfd):
         ("build", "-o", "a.png"): "output: must end in .blend, .glb, .stl, .obj, .ply, got 'a.png'",
         ("render", "-o", "a.glb"): "output: must end in .png, .jpg, .webp, .exr, got 'a.glb'",
         ("build", "-o", "nowhere/a.glb"): "output: must be in a folder that exists, got ",
-        ("render", "-o", "a.png", "--frame", "2"): "frame: must be from 1 to 1, got 2",
+        ("render", "-o", "a.png", "--frame", "2"): "frame: must be from 1 to 1, the pictures of tube.toml, got 2",
     }.items(),
 )
 def test_a_wrong_output_is_refused_before_anything_is_done(scene, job, arguments, sentence, capsys, monkeypatch):
@@ -204,9 +283,34 @@ def test_what_cannot_be_written_leaves_nothing(scene, job, capsys, monkeypatch):
     assert output.read_text() == "the old one" and not list(job.parent.glob("*.part"))
 
 
+def test_an_exporter_that_writes_nothing_has_failed(scene, job, capsys, monkeypatch):
+    monkeypatch.setitem(verbs.MODELS, ".stl", lambda path: None)
+    assert main(["build", str(job), "--output", str(job.with_suffix(".stl"))]) == 1
+    assert capsys.readouterr().err == "Blender's exporter wrote no tube.stl\n"
+    assert [path.name for path in job.parent.iterdir()] == ["tube.toml"]
+
+
+def test_a_folder_that_was_there_stays(scene, job):
+    theirs = job.with_name("tube.stl.part")
+    theirs.mkdir()
+    (theirs / "kept.txt").write_text("kept")
+    assert main(["build", str(job), "--output", str(job.with_suffix(".stl"))]) == 0
+    assert (theirs / "kept.txt").read_text() == "kept"
+
+
+def test_one_picture_of_many_turns(scene, job, capsys, monkeypatch):
+    monkeypatch.setattr(verbs, "run", lambda tasks, *_: [Result(task, "done") for task in tasks])
+    job.write_text(job.read_text() + "frames = 4\n")
+    folder = job.with_name("out")
+    assert main(["render", str(job), "--output-dir", str(folder), "--frame", "5"]) == 2
+    assert capsys.readouterr().err == "frame: must be from 1 to 4, the pictures of tube.toml, got 5\n"
+    assert not folder.exists()
+    assert main(["render", str(job), str(job), "--output-dir", str(folder), "--frame", "3"]) == 0
+    assert capsys.readouterr().out == f"{folder / 'tube_0003.png'}\n"
+
+
 def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monkeypatch):
-    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
-        pytest.skip("this host's Python is started by Blender alone")
+    need_module()
     monkeypatch.chdir(CHECKOUT)
     monkeypatch.setattr(verbs, "program", lambda arguments: (sys.executable, "-m", "sweep_addon"))
     other = job.with_name("other.toml")

@@ -24,6 +24,8 @@ def test_a_model_and_a_still_are_one_task_and_a_turn_is_one_for_each_frame():
     names = [Path(task.output).name for task in rendered]
     assert names == ["knot_0001.png", "knot_0002.png", "knot_0003.png", "ring.png"]
     assert [task.frame for task in rendered] == [1, 2, 3, 0]
+    assert plan("render", jobs[:1], "out", ".png", frame=3) == rendered[2:3]
+    assert plan("render", jobs[1:], "out", ".png", frame=1) == rendered[3:]
 
 
 def test_a_task_is_told_as_a_person_would_tell_it():
@@ -48,3 +50,23 @@ def test_two_jobs_cannot_write_one_file():
     with pytest.raises(ShapeError) as refusal:
         plan("build", [job("x/a.toml"), job("y/a.toml")], "out", ".glb")
     assert str(refusal.value).replace("\\", "/") == "y/a.toml: would write a.glb, as x/a.toml does"
+
+
+def test_a_picture_of_a_turn_and_a_job_of_its_name_cannot_be_one_file():
+    jobs = [job("in/turn.toml", frames=2), job("in/turn_0001.toml")]
+    assert len(plan("build", jobs, "out", ".glb")) == 2
+    for order in (jobs, jobs[::-1]):
+        with pytest.raises(ShapeError, match="would write turn_0001.png, as "):
+            plan("render", order, "out", ".png")
+
+
+def test_a_job_that_is_given_twice_is_done_once():
+    once = plan("render", [job("in/knot.toml", frames=2)], "out", ".png")
+    again = [job(path, frames=2) for path in ("in/knot.toml", "in/knot.toml", "in/../in/knot.toml")]
+    assert plan("render", again, "out", ".png") == once
+
+
+@pytest.mark.parametrize("frame", [-1, 4])
+def test_a_picture_that_no_turn_has_is_refused(frame):
+    with pytest.raises(ShapeError, match=f"^frame: must be from 1 to 3, the pictures of knot.toml, got {frame}$"):
+        plan("render", [job("in/knot.toml", frames=3)], "out", ".png", frame=frame)
