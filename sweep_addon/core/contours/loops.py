@@ -4,11 +4,10 @@
 
 import numpy as np
 
-from ..parameters import ShapeError, require
+from ..parameters import LARGEST, ShapeError, require
 from .crossing import crossings
 
 COINCIDENT = 1e-7  # of the size of all loops: what Blender's single precision cannot tell apart
-LARGEST = 1e12  # metres
 
 
 def following(offsets):
