@@ -64,6 +64,11 @@ class Expression:
             Where a value is not finite: it names the first such sample.
         """
         arrays = {name: np.asarray(values, dtype=np.float64) for name, values in arrays.items()}
+        values = np.array(np.broadcast_arrays(self.run(arrays), *arrays.values())[0])
+        return finite(values, **arrays)
+
+    def run(self, values):
+        """The value of the tree for whatever NumPy can calculate with: numbers, arrays, or jets."""
         stack = []
         with np.errstate(all="ignore"):
             for step in self.program:
@@ -71,9 +76,8 @@ class Expression:
                     function, count = step
                     stack[-count:] = [function(*stack[-count:])]
                 else:
-                    stack.append(arrays[step] if isinstance(step, str) else np.float64(step))
-        values = np.array(np.broadcast_arrays(stack[0], *arrays.values())[0])
-        return finite(values, **arrays)
+                    stack.append(values[step] if isinstance(step, str) else np.float64(step))
+        return stack[0]
 
 
 def compile(text, names):

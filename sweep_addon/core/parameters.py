@@ -9,7 +9,7 @@ is made: whoever asks, the refusal is the same sentence.
 """
 
 import re
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields, replace
 from enum import Enum, EnumMeta
 from functools import cache, partial
@@ -180,9 +180,14 @@ def parameters(cls):
 @cache
 def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
-    chosen = union.default if isinstance(union.default, kind) else kind()
+    default = union.default if isinstance(union.default, kind) else None
     return tuple(
-        replace(p, default=getattr(chosen, p.name), unit=p.unit or union.unit, doc=union.doc if p.shorthand else p.doc)
+        replace(
+            p,
+            default=getattr(default, p.name, p.default),
+            unit=p.unit or union.unit,
+            doc=union.doc if p.shorthand else p.doc,
+        )
         for p in parameters(kind)
     )
 
@@ -200,8 +205,7 @@ def coerce(p, value):
     if p.kinds:
         return coerce_kind(p, value)
     if isinstance(p.type, EnumMeta):
-        names = {spelled(member): member for member in p.type}
-        return value if isinstance(value, p.type) else pick(names, value)
+        return coerce_option(p, value)
     if p.type is Array:
         return coerce_array(p, value)
     if get_origin(p.type) is tuple:
@@ -213,6 +217,14 @@ def coerce(p, value):
         return coerce_number(p, value)
     require(isinstance(value, p.type), {bool: "must be true or false", str: "must be text"}[p.type], value)
     return value
+
+
+def coerce_option(p, value):
+    """A member of an Enum from itself, from its name, or from what the Enum takes for it."""
+    if not isinstance(value, str):
+        with suppress(ValueError):
+            return p.type(value)
+    return pick({spelled(member): member for member in p.type}, value)
 
 
 def coerce_number(p, value):

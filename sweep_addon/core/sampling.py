@@ -79,7 +79,7 @@ class Stations:
     @property
     def closed(self):
         """Whether the last place leads to the first."""
-        return self.trajectory.closed
+        return bool(self.trajectory.closed)
 
     @property
     def t(self):

@@ -4,6 +4,7 @@
 
 from .arc import Arc
 from .bezier import Bezier
+from .formula import Closing, Formula
 from .gpx import from_gpx
 from .helix import Helix
 from .line import Line
@@ -13,11 +14,13 @@ from .sampled import Sampled
 from .table import from_csv
 from .torus_knot import TorusKnot
 
-Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs | Sampled
+Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs | Sampled | Formula
 
 __all__ = [
     "Arc",
     "Bezier",
+    "Closing",
+    "Formula",
     "Helix",
     "Line",
     "Nurbs",
