@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contours bound the area that geometry says, with corners where there are corners; what has no area is refused."""
 
+from time import perf_counter
+
 import numpy as np
 import pytest
 from contour_inputs import OUTLINES, drawn, ngon, shoelace, square, star
@@ -186,6 +188,86 @@ def test_crossings_are_those_of_the_definition(corners):
     found = crossings(np.array(points, dtype=float), following)
     neighbours = (following[found[:, 0]] == found[:, 1]) | (following[found[:, 1]] == found[:, 0])
     assert sorted(map(tuple, found[~neighbours].tolist())) == crossings_by_definition(points)
+
+
+@pytest.mark.parametrize("lean", [0, 1, 7])
+def test_crossings_of_many_long_edges_are_those_of_the_definition(lean):
+    """Sheared, most edges run one way and their boxes lean with them."""
+    rng = np.random.default_rng(lean)
+    points = rng.integers(0, 40, (120, 2)) @ np.array([[1, lean], [0, 1]]) * 1000
+    points = points[(points != np.roll(points, 1, axis=0)).any(axis=1)]
+    following = np.roll(np.arange(len(points)), -1)
+    found = crossings(points.astype(float), following)
+    neighbours = (following[found[:, 0]] == found[:, 1]) | (following[found[:, 1]] == found[:, 0])
+    assert sorted(map(tuple, found[~neighbours].tolist())) == crossings_by_definition(points.tolist())
+
+
+def teeth(points, angle):
+    """A comb of long narrow teeth, turned by an angle."""
+    along = np.linspace(0, 1, points - 2)
+    comb = np.concatenate([np.stack([along, np.arange(points - 2) % 2], axis=1), [(1, -0.1), (0, -0.1)]])
+    return comb @ np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+
+
+def spikes(points):
+    return ngon(points, 1.0) * np.where(np.arange(points) % 2, 1, 1e-3)[:, None]
+
+
+def rings(count, sides):
+    return [k * ngon(sides, 1.0) for k in range(1, count + 1)]
+
+
+def specks(columns, rows):
+    return [ngon(3, 0.2, x - columns / 2, y - rows / 2) for x in range(columns) for y in range(rows)]
+
+
+TOO_CLOSE = "must have at most 33,554,432 pairs of edges that lie beside each other, got "
+
+
+@pytest.mark.parametrize(
+    ("loops", "sentence"),
+    [
+        ([np.random.default_rng(1).random((20_000, 2))], "must not cross or touch itself, got a crossing near"),
+        ([np.random.default_rng(1).random((200_000, 2))], "must not cross or touch itself, got a crossing near"),
+        ([ngon(200_001, 1.0)], "must have at most 200000 points, got 200001"),
+        ([teeth(100_000, 0.5)], None),
+        ([spikes(2_000)], None),
+        ([spikes(40_000)], TOO_CLOSE),
+        (rings(30_000, 3), TOO_CLOSE),
+        ([*rings(800, 24)[100:], *specks(80, 80)], "must have at most 4,194,304 edges around other loops, got"),
+        (specks(200, 200), None),
+        ([ngon(100_000, 200.0), *specks(100, 100)], None),
+    ],
+    ids=range(10),
+)
+def test_large_loops_are_decided_or_refused_in_seconds(loops, sentence):
+    """The slowest takes 3 s; the time that looking at all pairs takes grows with the square of the points."""
+    begun = perf_counter()
+    try:
+        Section.from_loops(loops)
+        refusal = ""
+    except ShapeError as error:
+        refusal = str(error)
+    assert perf_counter() - begun < 8
+    assert refusal.startswith(sentence) if sentence else not refusal
+
+
+@pytest.mark.parametrize("angle", [0, 0.5, np.pi / 2])
+def test_one_tooth_that_reaches_into_the_next_is_found(angle):
+    comb = teeth(20_000, angle)
+    comb[[10_001, 10_003]] = comb[[10_003, 10_001]]
+    with pytest.raises(ShapeError, match="^must not cross or touch itself, got a crossing near"):
+        Section.from_loops([comb])
+
+
+def test_loops_lie_in_all_that_are_around_them():
+    """Squares in squares in two stacks, in no order: each lies in the larger ones of its own stack."""
+    rng = np.random.default_rng(3)
+    size, stack = np.divmod(rng.permutation(60), 2)
+    loops = [square(2 * s + 1, 100 * t - s, -s) for s, t in zip(size, stack, strict=True)]
+    found = Section.from_loops(loops).nesting
+    expected = [(i, j) for i in range(60) for j in range(60) if stack[i] == stack[j] and size[i] < size[j]]
+    assert sorted(map(tuple, found.tolist())) == expected
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(8, 300))

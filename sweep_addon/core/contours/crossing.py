@@ -4,12 +4,18 @@
 
 import numpy as np
 
+from ..parameters import require
 from .orientation import orientation
-from .ranges import ranges
+from .ranges import IN_CACHE, ranges
+
+MOST_PAIRS = 512 * IN_CACHE  # of edges that may meet: about a second
+TOO_MANY = f"must have at most {MOST_PAIRS:,} pairs of edges that lie beside each other"
+FEW = 16  # neighbours of an edge for which no other direction is tried
+ROUNDING = 16 * np.finfo(float).eps  # of the largest coordinate, when points are turned
 
 
 def crossings(points, following):
-    """Find the pairs of edges that meet, other than neighbours in their common point.
+    """Find pairs of edges that meet, other than neighbours in their common point.
 
     Parameters
     ----------
@@ -21,7 +27,13 @@ def crossings(points, following):
     Returns
     -------
     (c, 2) int array
-        Pairs of edges. Neighbours are among them only where the second folds back onto the first.
+        Pairs of edges: all of them if there are few, some if there are many. Neighbours are among them only where the
+        second folds back onto the first.
+
+    Raises
+    ------
+    ShapeError
+        When so many edges lie close beside each other that the search would take too long.
 
     Examples
     --------
@@ -31,15 +43,25 @@ def crossings(points, following):
     >>> crossings(bow, np.array([1, 2, 3, 0])).tolist()
     [[0, 2]]
     """
+    found = folds(points, following)
     start, end = points, points[following]
-    found = [folds(points, following)]
-    for pairs in overlapping_boxes(np.minimum(start, end), np.maximum(start, end)):
-        i, j = pairs[(following[pairs[:, 0]] != pairs[:, 1]) & (following[pairs[:, 1]] != pairs[:, 0])].T
-        sides = orientation(start[i], end[i], start[j]) * orientation(start[i], end[i], end[j])
-        i, j = i[sides <= 0], j[sides <= 0]
-        sides = orientation(start[j], end[j], start[i]) * orientation(start[j], end[j], end[i])
-        found.append(np.stack([i, j], axis=1)[sides <= 0])
-    return np.concatenate(found)
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    boxes = fewest_neighbours(start, end)
+    total = int(boxes[-1].sum())
+    for portion, pairs in enumerate(meeting_boxes(*boxes)):
+        require(portion * IN_CACHE < MOST_PAIRS, TOO_MANY, total)
+        i, j = pairs.T
+        apart = np.flatnonzero((following[i] != j) & (following[j] != i))
+        i, j = i[apart], j[apart]
+        for _ in range(2):  # the ends of one on different sides of the other, and the other way round
+            a, b, c, d = (ends.take(edges, axis=0) for edges in (i, j) for ends in (start, end))
+            meet = np.flatnonzero(orientation(a, b, c) * orientation(a, b, d) <= 0)
+            i, j = j[meet], i[meet]
+        meet = ((low[i] <= high[j]) & (low[j] <= high[i])).all(axis=1)
+        found = np.concatenate([found, np.stack([i, j], axis=1)[meet]])
+        if len(found):
+            break
+    return found
 
 
 def folds(points, following):
@@ -51,22 +73,75 @@ def folds(points, following):
     return np.stack([first, following[first]], axis=1)
 
 
-def overlapping_boxes(low, high):
-    """Yield, in portions, the (c, 2) pairs i < j of boxes that have a point in common.
+def fewest_neighbours(start, end):
+    """The boxes of edges `swept`: upright ones, or, if it spares work, ones that lean like most of the edges."""
+    upright = swept(np.minimum(start, end), np.maximum(start, end))
+    if upright[-1].sum() <= FEW * len(start):
+        return upright
+    edges = (end - start) @ (1, 1j)
+    way = np.sqrt((edges * edges).sum())  # the square of an edge is that of its reverse
+    turn = np.array([[way.real, -way.imag], [way.imag, way.real]]) / (abs(way) or 1)
+    room = ROUNDING * max(np.abs(start).max(), np.abs(end).max())
+    start, end = start @ turn, end @ turn
+    leaning = swept(np.minimum(start, end) - room, np.maximum(start, end) + room)
+    return min(upright, leaning, key=lambda boxes: boxes[-1].sum())
 
-    Boxes sorted by where they begin along one axis: those that begin before box i ends are a range, found by
-    bisection. The axis is the one along which the fewest overlap.
+
+def overlapping_boxes(low, high):
+    """Yield, in portions, the (c, 2) pairs i < j of boxes that have a point in common."""
+    return meeting_boxes(*swept(low, high))
+
+
+def swept(low, high):
+    """Boxes sorted so that those that may meet a box are a range behind it.
+
+    They are sorted by where they begin along one axis: those that begin before box i ends are a range, found by
+    bisection. The axis is the one along which the fewest overlap. This is done in strips along it, each of which has the
+    boxes that lie in it at least in part: so many strips that all have about twice as many boxes as there are.
+
+    Returns
+    -------
+    low, high : (n, 2) float arrays
+        The boxes, the axis first.
+    first : (n,) int array
+        The first strip of each box.
+    box, strip : (s,) int arrays
+        The boxes, sorted, once for each strip.
+    count : (s,) int array
+        How many of those behind may meet it.
     """
-    axis = min((0, 1), key=lambda axis: later_starts(low[:, axis], high[:, axis])[1].sum())
-    order, count = later_starts(low[:, axis], high[:, axis])
-    across = 1 - axis
-    for i, j in ranges(np.arange(1, len(order) + 1), count):
-        i, j = order[i], order[j]
-        meet = (low[i, across] <= high[j, across]) & (low[j, across] <= high[i, across])
-        yield np.sort(np.stack([i[meet], j[meet]], axis=1), axis=1)
+    n = len(low)
+    starts = [later_starts(low[:, axis], high[:, axis]) for axis in (0, 1)]
+    axis = min((0, 1), key=lambda axis: starts[axis][1].sum())
+    (place, later), (place_across, later_across) = starts[axis], starts[1 - axis]
+    strips = np.clip(n * n // max(later_across.sum(), 1), 1, n)
+    width = -(-n // strips)
+    first, last = place_across // width, (place_across + later_across) // width
+    many = last - first + 1
+    box = np.repeat(np.arange(n), many)
+    strip = np.arange(len(box)) - np.repeat(np.cumsum(many) - many - first, many)
+    key = strip * n + place[box]
+    order = np.argsort(key)
+    box, strip, key = box[order], strip[order], key[order]
+    count = np.searchsorted(key, key + later[box], side="right") - np.arange(1, len(key) + 1)
+    axes = [axis, 1 - axis]
+    return low[:, axes], high[:, axes], first, box, strip, count
+
+
+def meeting_boxes(low, high, first, box, strip, count):
+    """Yield, in portions, the (c, 2) pairs i < j of `swept` boxes that have a point in common."""
+    low, high = low[:, 1], high[:, 1]
+    for i, j in ranges(np.arange(1, len(box) + 1), count, IN_CACHE):
+        here, i, j = strip[i], box[i], box[j]
+        once = here == np.maximum(first[i], first[j])  # boxes that share several strips are a pair of one
+        meet = np.flatnonzero(once & (low[i] <= high[j]) & (low[j] <= high[i]))
+        i, j = i[meet], j[meet]
+        yield np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
 
 
 def later_starts(low, high):
-    """The order of intervals by their start, and for each how many of the later ones start before it ends."""
+    """Of each interval the place in their order by start, and how many of the later ones start before it ends."""
     order = np.argsort(low, kind="stable")
-    return order, np.searchsorted(low[order], high[order], side="right") - np.arange(1, len(order) + 1)
+    place = np.empty(len(order), dtype=np.intp)
+    place[order] = np.arange(len(order))
+    return place, np.searchsorted(low[order], high, side="right") - 1 - place

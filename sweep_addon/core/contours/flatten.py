@@ -5,8 +5,8 @@
 import numpy as np
 
 from ..parameters import require
+from .loops import MOST_POINTS
 
-MOST_POINTS = 200_000
 STEEPEST = np.radians(7.5)  # between a chord and the curve at its ends: two chords in a row turn by at most twice that
 SHORT = 1 / 8  # of the tolerance: a turn within a shorter chord is a corner
 ROUNDING = 1e-9  # a count must not hang on a last bit

@@ -8,6 +8,7 @@ from ..parameters import LARGEST, ShapeError, require
 from .crossing import crossings
 
 COINCIDENT = 1e-7  # of the size of all loops: what Blender's single precision cannot tell apart
+MOST_POINTS = 200_000  # of all loops together: what a second or two can check
 
 
 def following(offsets):
@@ -26,7 +27,9 @@ def joined(loops):
     """All points of loops that may be anything as an (m, 2) float array, and the (k + 1,) offsets between them."""
     arrays = [checked_numbers(loop, spoken(i, len(loops))) for i, loop in enumerate(loops)]
     require(arrays, "must have at least one loop", arrays)
-    return np.concatenate(arrays), np.cumsum([0, *(len(array) for array in arrays)])
+    offsets = np.cumsum([0, *(len(array) for array in arrays)])
+    require(offsets[-1] <= MOST_POINTS, f"must have at most {MOST_POINTS} points", int(offsets[-1]))
+    return np.concatenate(arrays), offsets
 
 
 def checked_numbers(loop, which):

@@ -4,10 +4,13 @@
 
 import numpy as np
 
-from .crossing import overlapping_boxes
-from .loops import following
+from ..parameters import require
+from .loops import following, loop_of
 from .orientation import orientation
-from .ranges import ranges
+from .ranges import IN_CACHE, ranges
+
+MOST_LEVEL = 1 << 26  # edges on a level with first points of loops: about a second
+MOST_PASSED = 1 << 22  # of them on one side of loops that they may lie around: memory
 
 
 def nesting(points, offsets):
@@ -31,25 +34,35 @@ def nesting(points, offsets):
     >>> square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     >>> nesting(np.concatenate([square * 4, square + 1]), np.array([0, 4, 8])).tolist()
     [[1, 0]]
+
+    A loop lies in another if a ray from its first point along an axis passes an odd number of the other's edges.
     """
-    low, high = np.minimum.reduceat(points, offsets[:-1]), np.maximum.reduceat(points, offsets[:-1])
-    found = [np.zeros((0, 2), dtype=int)]
-    for pairs in overlapping_boxes(low, high):
-        pairs = np.concatenate([pairs, pairs[:, ::-1]])
-        inner, outer = pairs.T
-        pairs = pairs[((low[inner] > low[outer]) & (high[inner] < high[outer])).all(axis=1)]
-        found.append(pairs[inside(points[offsets[pairs[:, 0]]], pairs[:, 1], points, offsets)])
-    return np.concatenate(found)
-
-
-def inside(places, loops, points, offsets):
-    """Tell which of (p, 2) places lie in one loop each, (p,): those with an odd number of its edges to the right."""
-    after = following(offsets)
-    passed = np.zeros(len(places), dtype=int)
-    for i, edge in ranges(offsets[loops], np.diff(offsets)[loops]):
+    loop, places, after = loop_of(offsets), points[offsets[:-1]], following(offsets)
+    levels = [on_a_level(points[:, axis], after, places[:, axis]) for axis in (0, 1)]
+    axis = min((0, 1), key=lambda axis: levels[axis][2].sum())
+    order, first, count = levels[axis]
+    few = count.sum() <= MOST_LEVEL
+    require(few, f"must have at most {MOST_LEVEL:,} edges on a level with other loops", int(count.sum()))
+    across = points[:, 1 - axis]
+    low, high = (bound.reduceat(across, offsets[:-1])[loop] for bound in (np.minimum, np.maximum))
+    found, total = [np.zeros(0, dtype=int)], 0
+    for edge, place in ranges(first, count, IN_CACHE):
+        place = order[place]
+        there = across[offsets[place]]
+        near = np.flatnonzero((low[edge] < there) & (there < high[edge]) & (loop[edge] != place))
+        edge, place = edge[near], place[near]
         start, end = points[edge], points[after[edge]]
-        upward = end[:, 1] > start[:, 1]
-        straddles = (start[:, 1] > places[i, 1]) != (end[:, 1] > places[i, 1])
-        left = orientation(start, end, places[i]) > 0
-        passed += np.bincount(i[straddles & (left == upward)], minlength=len(places))
-    return passed % 2 == 1
+        rises = end[:, axis] > start[:, axis]
+        passed = (orientation(start, end, places[place]) > 0) == rises
+        found.append((place * len(places) + loop[edge])[passed])
+        total += len(found[-1])
+        require(total <= MOST_PASSED, f"must have at most {MOST_PASSED:,} edges around other loops", total)
+    pairs, passed = np.unique(np.concatenate(found), return_counts=True)
+    return np.stack(np.divmod(pairs[passed % 2 == 1], len(places)), axis=1)
+
+
+def on_a_level(heights, after, places):
+    """The order of places by height, and of each edge the range of those on a level with it: first and count."""
+    order = np.argsort(places, kind="stable")
+    first, past = np.searchsorted(places[order], np.sort([heights, heights[after]], axis=0))
+    return order, first, past - first

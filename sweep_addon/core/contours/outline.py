@@ -8,10 +8,9 @@ import numpy as np
 
 from ..parameters import Array, at, declared, parameter, require
 from .arcs import apexes, arc_points, chords, segments, tangent_turns
-from .loops import following, joined
+from .loops import MOST_POINTS, following, joined
 from .section import SHARP, Section
 
-MOST_POINTS = 200_000
 CORNERS = ((-0.5, -0.5), (0.5, -0.5), (0.5, -0.3), (-0.3, -0.3), (-0.3, 0.5), (-0.5, 0.5))
 
 

@@ -5,14 +5,17 @@
 import numpy as np
 
 PAIRS_AT_ONCE = 1 << 20  # bounds the memory, not the work
+IN_CACHE = 1 << 16  # so few that arrays of them are fast
 
 
-def ranges(first, count):
+def ranges(first, count, at_once=PAIRS_AT_ONCE):
     """Yield, in portions, all pairs of i and the numbers ``first[i]`` to before ``first[i] + count[i]``.
 
     Parameters
     ----------
     first, count : (n,) int arrays
+    at_once : int
+        About how many pairs make a portion.
 
     Yields
     ------
@@ -24,7 +27,7 @@ def ranges(first, count):
     >>> [(i.tolist(), j.tolist()) for i, j in ranges(np.array([5, 0, 7]), np.array([2, 0, 1]))]
     [([0, 0, 2], [5, 6, 7])]
     """
-    cuts = np.searchsorted(np.cumsum(count), np.arange(0, count.sum(), PAIRS_AT_ONCE), side="right")
+    cuts = np.searchsorted(np.cumsum(count), np.arange(0, count.sum(), at_once), side="right")
     for start, end in zip(cuts, [*cuts[1:], len(count)], strict=False):
         some = count[start:end]
         skipped = first[start:end] - np.cumsum(some) + some

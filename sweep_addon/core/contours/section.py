@@ -54,7 +54,8 @@ class Section:
         Raises
         ------
         ShapeError
-            For a loop of fewer than three points, of no area, or with a number that is none, and for loops that
+            For a loop of fewer than three points, of no area, or with a number that is none, for more than 200,000
+            points, or edges too close beside each other to be checked in a few seconds, and for loops that
             cross or touch themselves or each other. The sentence says which loop and where.
 
         Examples
