@@ -96,7 +96,7 @@ def test_without_centring_text_begins_on_its_baseline():
     [
         ("", FONT, "text: must have a visible character, got ''"),
         ("  \n", FONT, "text: must have a visible character"),
-        (7, FONT, "text: must have a visible character, got 7"),
+        (7, FONT, "text: must be text, got 7"),
         ("A" * 10_001, FONT, "text: must have at most 10000 characters, got 10001"),
         ("A\u4e00", FONT, f"the font {FONT} must have a glyph for every character of the text, got none for"),
         ("A", "no/such.ttf", "the font no/such.ttf cannot be read: No such file or directory"),
@@ -109,6 +109,21 @@ def test_what_cannot_be_shown_is_refused_in_one_sentence(text, font, sentence):
     with pytest.raises(ShapeError) as refusal:
         from_text(text, font)
     assert str(refusal.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("argument", "sentence"),
+    [
+        ({"size": "big"}, "size: must be a number, got 'big'"),
+        ({"size": 0}, "size: must be more than 0, got 0"),
+        ({"tolerance": "fine"}, "tolerance: must be a number, got 'fine'"),
+        ({"centred": None}, "centred: must be true or false, got None"),
+    ],
+)
+def test_arguments_of_another_type_are_named(argument, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        from_text("A", FONT, **argument)
+    assert str(refusal.value) == sentence
 
 
 def test_a_missing_glyph_is_named():

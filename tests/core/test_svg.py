@@ -133,6 +133,24 @@ def test_a_document_type_without_entities_is_harmless():
     assert from_svg(doctype + svg('<path d="M0 0h1v1z"/>')).section().area == pytest.approx(0.5)
 
 
+@pytest.mark.parametrize(
+    ("argument", "sentence"),
+    [
+        ({"scale": "1 mm"}, "scale: must be a number, got '1 mm'"),
+        ({"scale": None}, "scale: must be a number, got None"),
+        ({"scale": np.nan}, "scale: must be a number, got nan"),
+        ({"scale": [1, 2]}, "scale: must be a number, got [1, 2]"),
+        ({"tolerance": "fine"}, "tolerance: must be a number, got 'fine'"),
+        ({"tolerance": np.nan}, "tolerance: must be a number, got nan"),
+        ({"centred": "no"}, "centred: must be true or false, got 'no'"),
+    ],
+)
+def test_arguments_of_another_type_are_named(argument, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        from_svg(svg('<circle r="1"/>'), **argument)
+    assert str(refusal.value) == sentence
+
+
 def test_parameters_out_of_range_are_named():
     with pytest.raises(ShapeError, match="^scale: must be more than 0, got 0$"):
         from_svg(svg('<circle r="1"/>'), scale=0.0)

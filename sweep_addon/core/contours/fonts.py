@@ -9,7 +9,7 @@ import numpy as np
 from ..documents import about
 from ..parameters import ShapeError, require
 from .flatten import cubics_from_lines, cubics_from_quadratics
-from .reading import library, outline
+from .reading import argument, library, outline
 
 LONGEST = 10_000
 
@@ -48,9 +48,9 @@ def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
     Traceback (most recent call last):
     sweep_addon.core.parameters.ShapeError: text: must have a visible character, got ''
     """
-    require(isinstance(text, str) and text.strip(), "must have a visible character", text, "text")
+    text, size = argument("text", text, str), argument("size", size, above=0.0)
+    require(text.strip(), "must have a visible character", text, "text")
     require(len(text) <= LONGEST, f"must have at most {LONGEST} characters", len(text), "text")
-    require(0 < size < np.inf, "must be more than 0", float(size), "size")
     with about(f"the font {font_path}"):
         paths = placed_glyphs(text, opened(font_path))
         require(paths, "must draw something for the text", text)

@@ -6,11 +6,17 @@ from importlib import import_module
 
 import numpy as np
 
-from ..parameters import LARGEST, ShapeError, require
+from ..parameters import LARGEST, Parameter, ShapeError, at, coerce, require
 from .filling import filled
 from .flatten import flatten_cubics
 from .outline import Outline
 from .section import Section
+
+
+def argument(name, value, type=float, **limits):
+    """The value of an argument that was meant, or a refusal that names it."""
+    with at(name):
+        return coerce(Parameter(name, type, **limits), value)
 
 
 def library(name, package):
@@ -36,7 +42,7 @@ def outline(paths, figure, even_odd, tolerance, centred):
     centred : bool
         Whether the centroid of the area is moved to the origin.
     """
-    require(tolerance >= 0, "must be at least 0", float(tolerance), "tolerance")
+    tolerance, centred = argument("tolerance", tolerance, minimum=0.0), argument("centred", centred, bool)
     control = np.concatenate(paths)
     require((np.abs(control) <= LARGEST).all(), "must have finite numbers", float(np.abs(control).max()))
     size = float(np.hypot(*np.ptp(control[:, 0], axis=0)))

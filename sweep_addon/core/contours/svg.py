@@ -8,9 +8,9 @@ from xml.etree import ElementTree
 import numpy as np
 
 from ..documents import about, content
-from ..parameters import ShapeError, require
+from ..parameters import ShapeError
 from .flatten import cubics_from_lines, cubics_from_quadratics
-from .reading import library, outline
+from .reading import argument, library, outline
 from .svg_document import LARGEST, tree
 
 ARC = np.pi / 6  # the part of an ellipse for one cubic, which misses it by 4e-7 of its radius
@@ -51,7 +51,7 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
     >>> contour.section().area, contour.section().islands
     (3.0, ((0, 1),))
     """
-    require(0 < scale < np.inf, "must be more than 0", float(scale), "scale")
+    scale = argument("scale", scale, above=0.0)
     data, subject = content(text_or_path, "SVG", "<", LARGEST)
     with about(subject):
         with np.errstate(all="ignore"):
