@@ -96,8 +96,8 @@ def swept(low, high):
     """Boxes sorted so that those that may meet a box are a range behind it.
 
     They are sorted by where they begin along one axis: those that begin before box i ends are a range, found by
-    bisection. The axis is the one along which the fewest overlap. This is done in strips along it, each of which has the
-    boxes that lie in it at least in part: so many strips that all have about twice as many boxes as there are.
+    bisection. The axis is the one along which the fewest overlap. This is done in strips along it, each of which has
+    the boxes that lie in it at least in part: so many strips that all have about twice as many boxes as there are.
 
     Returns
     -------
