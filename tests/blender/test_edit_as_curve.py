@@ -14,11 +14,15 @@ import sweep_addon as sw
 WASHER = sw.contours.Outline(loops=[[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.5, -0.5), (0.5, -0.5), (0, 0.5)]])
 TRAJECTORIES = {
     "line": sw.trajectories.Line(end=(0, 0, 2)),
+    "arc": sw.trajectories.Arc(),
+    "ring": sw.trajectories.Arc(angle=6.283185307179586),
     "helix": sw.trajectories.Helix(),
     "knot": sw.trajectories.TorusKnot(),
     "polyline": sw.trajectories.Polyline([(0, 0, 0), (3, 0, 0), (3, 3, 0), (0, 3, 1)], closed=True),
     "bezier": sw.trajectories.Bezier(),
     "nurbs": sw.trajectories.Nurbs(),
+    "sampled": sw.trajectories.Sampled(closed=True),
+    "formula": sw.trajectories.Formula(),
 }
 CONTOURS = {
     "circle": sw.contours.Circle(0.2),

@@ -8,7 +8,7 @@ from ..parameters import ShapeError
 from .arc_length import NODES, WEIGHTS, subdivided
 from .curve import unit
 
-CELLS, MOST_CELLS = 509, 1 << 15  # a prime number: no simple fraction of the domain is an end of a cell
+CELLS, MOST_CELLS = 509, 1 << 13  # a prime number: no simple fraction of the domain is an end of a cell
 HALVINGS = 34  # until a cell is a millionth of a millionth of the domain
 MISSED = 1e-7  # radians, by which a smooth curve may turn unnoticed
 TORN = 1e-9  # of the size: a jump, not a corner
