@@ -131,7 +131,7 @@ def test_a_square_by_formulas_has_its_corners():
         (("u", "floor(u)", "0", 0, 2.5), "y: must be in one piece, got a jump of 1 m near u = "),
         (("u", "0", "tan(u)", 0, 3), "z: must be in one piece, got a jump of "),
         (("u", "1/(u - 0.123)", "0", 0, 1), "y: must be in one piece, got a jump of "),
-        (("u", "sin(1e7*u)", "0", 0, 1), "x, y and z must be smooth but for some corners, got more than 8,192 "),
+        (("u", "sin(1e7*u)", "0", 0, 1), "x, y and z must be smooth but for some corners, got more than 8,192 pieces "),
         (("1", "2", "3"), "x, y and z must change with u, got ['1', '2', '3']"),
         (("u", "1e13*u", "0", 0, 1), "y: must be at most 1e+12 in size, got 1e+13"),
         (("u", "v", "0"), "y: must be an expression of u: 'v' at character 1 is no name (u, pi, tau, e are)"),

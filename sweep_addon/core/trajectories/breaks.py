@@ -42,8 +42,8 @@ def breaks(evaluate, derivative, domain):
         if not broken.any() or halvings == HALVINGS - 1 or (end - start).max() < narrow:
             break
         if len(start) > MOST_CELLS:
-            told = f"must be smooth but for some corners, got more than {MOST_CELLS:,} places where they are not"
-            raise ShapeError(f"x, y and z {told}")
+            told = f"got more than {MOST_CELLS:,} pieces of u that wind or break"
+            raise ShapeError(f"x, y and z must be smooth but for some corners, {told}")
         middle = (start + end) / 2
         start, end = np.append(start, middle), np.append(middle, end)
     if (jump > TORN * size).any():
