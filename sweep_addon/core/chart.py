@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .grid import Grid
+from .runs import run_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +50,7 @@ class Chart:
     def columns(self):
         """The length round the contour where each column's face starts and where it ends: two (m,)."""
         offsets = np.array(self.grid.offsets)
-        loop = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+        loop = run_of(offsets)
         start = np.arange(self.grid.columns) + loop
         return self.around[start], self.around[start + 1]
 
@@ -89,7 +90,7 @@ class Chart:
             points, offsets = (np.array(part) for part in cap)
             flat = section - section.min(axis=0)
             if end == 0:
-                face = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+                face = run_of(offsets)
                 points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
                 flat = flat * (-1, 1) - (margin, 0)
             else:

@@ -15,6 +15,7 @@ import numpy as np
 
 from .kept import kept
 from .mesh import Topology
+from .runs import following, run_of
 
 SIDE, CAP = 0, 1  # material slots
 
@@ -62,9 +63,7 @@ class Grid:
 
     @cached_property
     def following(self):
-        following = np.arange(1, self.columns + 1)
-        following[np.array(self.offsets[1:]) - 1] = self.offsets[:-1]
-        return following
+        return following(np.array(self.offsets))
 
     def bands(self):
         """Pairs of neighbouring stations (b, 2), and which bands have a tip below and above."""
@@ -179,7 +178,7 @@ def cap_faces(grid, stride, position):
         if cap is None:
             continue
         points, offsets = (np.array(part) for part in cap)
-        face = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+        face = run_of(offsets)
         if turn < 0:  # the same faces seen from the other side
             points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
         last = np.arange(len(points)) == offsets[face + 1] - 1

@@ -8,6 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
+from .runs import following
+
 SAMPLE = 64  # of a named topology every so many numbers make its key: enough to tell how another version lays them
 
 
@@ -57,9 +59,7 @@ class Topology:
     @cached_property
     def following(self):
         """(c,) int array: the corner that follows each corner in its face."""
-        following = np.arange(1, len(self.corners) + 1)
-        following[self.offsets[1:] - 1] = self.offsets[:-1]
-        return following
+        return following(self.offsets)
 
     def uses(self):
         """Each pair of vertices that faces share, (k, 2), and by how many faces in either direction: two (k,)."""

@@ -118,8 +118,8 @@ def test_the_first_point_stays_first_when_a_loop_is_turned():
     assert section.area == 1
 
 
-def test_moving_moves_the_centroid():
-    section = Section.from_loops([square(4), square(2)[::-1] + 1]).translated((10, 0))
+def test_a_hole_counts_against_the_centroid():
+    section = Section.from_loops([square(4, 10), square(2, 11, 1)[::-1]])
     assert section.centroid == pytest.approx([12, 2], abs=1e-12)
     assert section.perimeters.tolist() == [16, 8]
 

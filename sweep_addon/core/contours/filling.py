@@ -5,8 +5,8 @@
 import numpy as np
 
 from ..parameters import require
+from ..runs import following, run_of
 from .arrangement import CELLS, arrangement, side
-from .loops import following, loop_of
 from .ranges import ranges
 
 MOST_WINDINGS = 20_000_000
@@ -61,7 +61,7 @@ def filled(loops, figure, even_odd):
     start, end, edge = arrangement(start[some], end[some])
     crowd = np.abs(end - start).sum(axis=0) / np.maximum(np.ptp(start, axis=0), 1)
     turn = QUARTER_TURN if crowd[0] < crowd[1] else np.eye(2)
-    start, end = boundary(start @ turn, end @ turn, figure[loop_of(offsets)][some][edge], even_odd)
+    start, end = boundary(start @ turn, end @ turn, figure[run_of(offsets)][some][edge], even_odd)
     start, end = start @ turn.T, end @ turn.T
     return [origin + cell * loop for loop in traced(start, end) if wide(loop)]
 

@@ -5,22 +5,11 @@
 import numpy as np
 
 from ..parameters import LARGEST, ShapeError, require
+from ..runs import following, run_of
 from .crossing import crossings
 
 COINCIDENT = 1e-7  # of the size of all loops: what Blender's single precision cannot tell apart
 MOST_POINTS = 200_000  # of all loops together: what a second or two can check
-
-
-def following(offsets):
-    """(m,) int array: the index of the next point of the same loop."""
-    following = np.arange(1, offsets[-1] + 1)
-    following[offsets[1:] - 1] = offsets[:-1]
-    return following
-
-
-def loop_of(offsets):
-    """(m,) int array: the number of the loop that each point belongs to."""
-    return np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
 
 
 def joined(loops):
@@ -60,7 +49,7 @@ def without_coincident(points, offsets, sharp):
     for i, n in enumerate(np.diff(kept_offsets).tolist()):
         require(n >= 3, f"{spoken(i, len(offsets) - 1)}must have at least 3 different points", n)
     flagged = np.flatnonzero(sharp)
-    loop = loop_of(offsets)[flagged]
+    loop = run_of(offsets)[flagged]
     heir = np.searchsorted(kept, flagged)
     flags = np.zeros(len(kept), dtype=bool)
     flags[np.where(heir < kept_offsets[loop + 1], heir, kept_offsets[loop])] = True
@@ -69,7 +58,7 @@ def without_coincident(points, offsets, sharp):
 
 def require_area(points, offsets):
     """Refuse a loop whose points all lie on one line."""
-    firsts, loop = offsets[:-1], loop_of(offsets)
+    firsts, loop = offsets[:-1], run_of(offsets)
     x, y = (points - points[firsts][loop]).T
     farthest = np.lexsort((np.hypot(x, y), loop))[offsets[1:] - 1][loop]
     width = np.maximum.reduceat(np.abs(x * y[farthest] - y * x[farthest]), firsts)
@@ -84,7 +73,7 @@ def require_apart(points, offsets):
     after = following(offsets)
     for i, j in crossings(points, after)[:1]:
         x, y = meeting_point(points[i], points[after[i]], points[j], points[after[j]])
-        first, second = sorted(loop_of(offsets)[[i, j]].tolist())
+        first, second = sorted(run_of(offsets)[[i, j]].tolist())
         which = f"loops {first} and {second} must not cross or touch each other"
         if first == second:
             which = f"{spoken(first, len(offsets) - 1)}must not cross or touch itself"

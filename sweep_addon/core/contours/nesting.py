@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..parameters import require
-from .loops import following, loop_of
+from ..runs import following, run_of
 from .orientation import orientation
 from .ranges import IN_CACHE, ranges
 
@@ -37,7 +37,7 @@ def nesting(points, offsets):
 
     A loop lies in another if a ray from its first point along an axis passes an odd number of the other's edges.
     """
-    loop, places, after = loop_of(offsets), points[offsets[:-1]], following(offsets)
+    loop, places, after = run_of(offsets), points[offsets[:-1]], following(offsets)
     levels = [on_a_level(points[:, axis], after, places[:, axis]) for axis in (0, 1)]
     axis = min((0, 1), key=lambda axis: levels[axis][2].sum())
     order, first, count = levels[axis]

@@ -7,8 +7,9 @@ from functools import lru_cache
 import numpy as np
 
 from ..parameters import Array, at, declared, parameter, require
+from ..runs import following
 from .arcs import apexes, arc_points, chords, segments, tangent_turns
-from .loops import MOST_POINTS, following, joined
+from .loops import MOST_POINTS, joined
 from .section import SHARP, Section
 
 CORNERS = ((-0.5, -0.5), (0.5, -0.5), (0.5, -0.3), (-0.3, -0.3), (-0.3, 0.5), (-0.5, 0.5))

@@ -7,7 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from .loops import following, joined, loop_of, require_apart, require_area, without_coincident
+from ..runs import following, run_of
+from .loops import joined, require_apart, require_area, without_coincident
 from .nesting import nesting
 from .symmetry import symmetry
 
@@ -85,7 +86,7 @@ class Section:
     @cached_property
     def loop_of(self):
         """(m,) int array: the number of the loop that each point belongs to."""
-        return loop_of(self.offsets)
+        return run_of(self.offsets)
 
     @cached_property
     def edge_lengths(self):
@@ -156,10 +157,6 @@ class Section:
     def symmetry(self):
         """In how many turns about the reference point the section is mapped to itself; 1 if by none but a whole one."""
         return symmetry(self)
-
-    def translated(self, vector):
-        """The section moved by a vector of (2,) metres."""
-        return replace(self, points=self.points + np.asarray(vector, dtype=float))
 
     def reversed(self, which):
         """The section with the loops where (k,) bools say so run backwards, each from the same first point."""
