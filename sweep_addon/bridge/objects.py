@@ -5,7 +5,7 @@
 import bpy
 from mathutils import Matrix
 
-from ..core.parameters import ShapeError, at, parameters, spelled
+from ..core.parameters import ShapeError, at, parameters, require, spelled
 from ..core.shapes import SHAPES
 from . import curves, meshes, rna
 
@@ -27,6 +27,7 @@ def new_mesh(shape, name=None, **objects):
     ShapeError
         Nothing is left behind.
     """
+    require(isinstance(shape, SHAPES), "must be a shape", shape, "shape")
     mesh = bpy.data.meshes.new(name or title(type(shape)))
     try:
         if hasattr(mesh, "sweep"):
@@ -100,8 +101,8 @@ def from_object(ob):
     >>> sw.from_object(sw.to_object(shape)) == shape
     True
     """
-    if not is_sweep(ob):
-        raise ShapeError(f"must be a sweep, got {ob.name!r}", "object")
+    known = isinstance(ob, bpy.types.Object)
+    require(known and is_sweep(ob), "must be a sweep", ob.name if known else ob, "object")
     return shapes(ob.data)[0]
 
 

@@ -87,3 +87,13 @@ def test_a_hidden_list_that_somebody_spoilt_is_refused(scene, text):
     mesh.sweep.generalized_cylinder.contour_outline_loops = text
     mesh.sweep.generalized_cylinder.contour = "OUTLINE"
     assert mesh.sweep.error.startswith("contour.loops: must") and len(mesh.sweep.error) < 200
+
+
+@pytest.mark.parametrize(
+    ("act", "wrong", "got"), [("to_object", 3, "3"), ("from_object", None, "None"), ("from_object", "Cube", "'Cube'")]
+)
+def test_what_is_no_shape_and_no_sweep_is_refused_and_leaves_nothing(scene, act, wrong, got):
+    before = set(bpy.data.meshes)
+    with pytest.raises(sw.ShapeError, match=f"must be a s.*, got {got}"):
+        getattr(sw, act)(wrong)
+    assert set(bpy.data.meshes) == before
