@@ -10,6 +10,7 @@ from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
 
+LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; most are narrower
 
 
@@ -59,6 +60,8 @@ def draw_sweep(layout, context, mesh, say):
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = True
+    if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
+        say(column, "Hold Alt to change all.", "INFO")
     declared_layout.draw(column, group, parameters(shape))
     row = layout.row(align=True)
     for parameter in ("trajectory", "contour"):
@@ -67,6 +70,11 @@ def draw_sweep(layout, context, mesh, say):
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+
+
+def is_like(other, mesh):
+    """Whether an object is another sweep of the same shape, so that Blender changes both where Alt is held."""
+    return objects.is_sweep(other) and other.data != mesh and other.data.sweep.kind == mesh.sweep.kind
 
 
 def sentences(context):

@@ -66,7 +66,7 @@ class Options:
         assert option.type != "ENUM" or value in option.enum_items
 
 
-def drawn(ob=None, mode="OBJECT", width=300, folded=False):
+def drawn(ob=None, mode="OBJECT", width=300, folded=False, others=()):
     """All that the sidebar draws with this object active, and the words of it."""
     context = SimpleNamespace(
         active_object=ob,
@@ -74,7 +74,7 @@ def drawn(ob=None, mode="OBJECT", width=300, folded=False):
         mode=mode,
         region=SimpleNamespace(width=width),
         preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),  # without a window it is 0
-        selected_objects=[ob] if ob else [],
+        selected_objects=[*([ob] if ob else []), *others],
         scene=bpy.context.scene,
         view_layer=bpy.context.view_layer,
     )
@@ -124,6 +124,13 @@ def test_an_error_is_said_whole_however_narrow_the_sidebar(scene, width):
     words = said(drawn(ob, width=width)).replace(" ", "")  # a word that is too long is broken
     assert ob.data.sweep.error.replace(" ", "") in words
     assert "contour_circle_radius" in drawn(ob, width=width)
+
+
+def test_alt_is_named_where_it_changes_another_sweep_too(scene):
+    ob, plain = sweep(), bpy.data.objects.new("plain", bpy.data.meshes.new("plain"))
+    twin = bpy.data.objects.new("twin", ob.data)  # shares the parameters anyway
+    for others, named in (((), False), ((plain, straight(), twin), False), ((plain, sweep()), True)):
+        assert ("Alt" in said(drawn(ob, others=others))) == named
 
 
 def test_warnings_of_the_shape_are_said(scene):

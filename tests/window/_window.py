@@ -29,9 +29,21 @@ class Person:
         self.sidebar = next(region for region in self.area.regions if region.type == "UI")
         self.view = next(region for region in self.area.regions if region.type == "WINDOW")
         self.place = (self.view.x + self.view.width // 3, self.view.y + self.view.height // 2)
+        self.held = {}
 
     def send(self, type, value, **more):
+        more = {**self.held, **more}
         self.window.event_simulate(type=type, value=value, x=int(self.place[0]), y=int(self.place[1]), **more)
+
+    def hold_alt(self, steps):
+        """Keep Alt down during some steps."""
+        self.held = {"alt": True}
+        self.send("LEFT_ALT", "PRESS")
+        yield 0.2
+        yield from steps
+        self.held = {}
+        self.send("LEFT_ALT", "RELEASE")
+        yield 0.3
 
     def move(self, x, y):
         """Come to a place in small steps, so that what lies there notices."""
@@ -40,10 +52,10 @@ class Person:
             self.send("MOUSEMOVE", "NOTHING")
             yield 0.1
 
-    def click(self, x, y):
+    def click(self, x, y, button="LEFTMOUSE"):
         yield from self.move(x, y)
-        self.send("LEFTMOUSE", "PRESS")
-        self.send("LEFTMOUSE", "RELEASE")
+        self.send(button, "PRESS")
+        self.send(button, "RELEASE")
         yield 0.5
 
     def drag(self, x, y, right):
