@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Along the path: how the contour is scaled and turned at each station, its tapers included."""
+"""Along the path: how the contour is scaled, turned and moved at each station, its tapers included."""
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -16,6 +16,7 @@ from .trajectories.arc_length import arc_length
 NOTHING = 1e-7  # of the largest scale: single precision cannot tell a contour this small from a point
 NEARLY = 0.01  # of the largest scale: between places so close a law that is not steep comes to zero
 SEARCHED = 4097  # places along the trajectory where a change of sign is looked for
+LAWS = ("scale_x", "scale_y", "twist", "offset_x", "offset_y")
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,7 @@ class Along:
     Parameters
     ----------
     trajectory : Trajectory
-    scale_x, scale_y, twist : Law
+    scale_x, scale_y, twist, offset_x, offset_y : Law
     tapers : tuple of two float
         Lengths in metres over which the contour grows from a point at the start and shrinks to one at the end; 0: none.
     """
@@ -34,32 +35,34 @@ class Along:
     scale_x: Law
     scale_y: Law
     twist: Law
+    offset_x: Law = Constant(0.0)
+    offset_y: Law = Constant(0.0)
     tapers: tuple = (0.0, 0.0)
 
     @property
     def is_constant(self):
-        return self.scale_x.is_constant and self.scale_y.is_constant and self.twist.is_constant
+        return all(getattr(self, key).is_constant for key in LAWS)
 
     def unchanging(self):
         """The same for all laws that are constant, whose values do not move the stations."""
-        one = Constant(1.0)
-        return replace(self, scale_x=one, scale_y=one, twist=one) if self.is_constant else self
+        return replace(self, **dict.fromkeys(LAWS, Constant(1.0))) if self.is_constant else self
 
     def at(self, s, u=None):
-        """Scales along e2 and e3 and the twist in radians at arc lengths, or at parameters known: three (n,)."""
+        """The values of `LAWS` at arc lengths, or at parameters known: five (n,), in radians and metres."""
         measure = arc_length(self.trajectory)
         u, t = measure.parameter(s) if u is None else u, s / measure.total
         values = []
-        for key in ("scale_x", "scale_y", "twist"):
+        for key in LAWS:
+            law = getattr(self, key)
             with at(key):
-                values.append(getattr(self, key).evaluate(u, t, s))
-                most = float(np.abs(values[-1]).max(initial=0.0))
+                values.append(law.evaluate(u, t, s))
+                most = 0.0 if isinstance(law, Constant) else float(np.abs(values[-1]).max(initial=0.0))
                 require(most <= LARGEST, f"must be at most {LARGEST:g} in size", most)
         taper = np.ones_like(s)
         for length, left in zip(self.tapers, (s, measure.total - s), strict=True):
             if length:
                 taper *= np.clip(left / length, 0.0, 1.0)
-        return values[0] * taper, values[1] * taper, values[2]
+        return values[0] * taper, values[1] * taper, *values[2:]
 
     def marks(self):
         """Arc lengths where a station must be: starts of tapers, points of no scale, and one between two of these."""
@@ -81,11 +84,11 @@ class Along:
         """The largest scale anywhere along the trajectory."""
         if self.is_constant:
             return max(float(np.abs(law.evaluate(*np.zeros((3, 1)))[0])) for law in (self.scale_x, self.scale_y))
-        return max(float(np.abs(scale).max()) for scale in searched(self)[1:])
+        return float(np.abs(searched(self)[1:3]).max())
 
     def crossings(self):
         """Arc lengths where the scale along e2 passes zero, by bisection of all of them at once."""
-        s, scale, _ = searched(self)
+        s, scale, *_ = searched(self)
         positive = scale > 0
         change = np.flatnonzero(positive[1:] != positive[:-1])
         low, high = s[change], s[change + 1]
@@ -97,7 +100,7 @@ class Along:
 
     def touches(self):
         """Arc lengths where the scale along e2 comes to zero and does not pass it, as an absolute value does."""
-        s, scale, _ = searched(self)
+        s, scale, *_ = searched(self)
         size = np.abs(scale)
         least = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & (size[1:-1] < NEARLY * size.max())
         least &= scale[:-2] * scale[2:] > 0
@@ -110,30 +113,35 @@ class Along:
         return middle[np.abs(self.at(middle)[0]) <= NOTHING * size.max()] if len(low) else middle
 
     def density(self, reach):
-        """Steps per metre that twist and scale ask for, as a function of arc length and chord tolerance.
+        """Steps per metre that the laws ask for, as a function of arc length and chord tolerance.
 
-        The outermost point of the contour, ``reach`` metres out, bends by reach * twist'^2 and reach * scale''.
+        The outermost point of the contour, ``reach`` metres out, bends by reach * twist'^2 and reach * scale'', and
+        with the reference point on its way beside the trajectory.
         """
 
         def steps(s, chord):
-            scale_x, scale_y, twist = self.at(s)
-            rate = np.abs(np.gradient(twist, s))
-            size = np.maximum(np.abs(scale_x), np.abs(scale_y))
-            change = sum(np.abs(np.gradient(np.gradient(scale, s), s)) for scale in (scale_x, scale_y))
-            change[change * s[-1] ** 2 < 1e-4 * size.max()] = 0.0  # rounding of the differences
+            scale_x, scale_y, twist, *offset = self.at(s)
+            rate, size = np.gradient(twist, s), np.maximum(np.abs(scale_x), np.abs(scale_y))
+            change = np.abs(slopes((scale_x, scale_y), s)[1]).sum(axis=0)
             bend = reach * (size * rate**2 + change)
-            return np.maximum(np.sqrt(bend / (8 * chord)), rate / WIDEST_TURN)
+            if np.any(offset):
+                bend += bend_beside(offset, twist, s)
+            return np.maximum(np.sqrt(bend / (8 * chord)), np.abs(rate) / WIDEST_TURN)
 
         return steps
 
     def check_closed(self):
         """On a closed trajectory every law must come back to where it began, the twist by whole turns."""
+        if self.is_constant:
+            return
         measure = arc_length(self.trajectory)
-        ends = self.at(np.array([0.0, measure.total]))
-        for key, (first, last) in zip(("scale_x", "scale_y"), ends[:2], strict=True):
-            same = abs(last - first) <= 1e-9 * self.largest
+        ends = dict(zip(LAWS, self.at(np.array([0.0, measure.total])), strict=True))
+        begun, ended = ends.pop("twist")
+        farthest = float(np.abs(searched(self)[4:]).max())
+        for key, (first, last) in ends.items():
+            same = abs(last - first) <= 1e-9 * (self.largest if key in ("scale_x", "scale_y") else farthest)
             require(same, f"must be the same at both ends of a closed trajectory, {first:g}", float(last), key)
-        turns = (ends[2][1] - ends[2][0]) / (2 * np.pi)
+        turns = (ended - begun) / (2 * np.pi)
         whole = abs(turns - np.round(turns)) <= 1e-9
         if not whole:
             raise ShapeError(f"must grow by whole turns along a closed trajectory, got {turns:.9g} turns", "twist")
@@ -146,9 +154,31 @@ def tapers(start, end):
 
 @lru_cache(maxsize=16)
 def searched(along):
-    """Arc lengths all along the trajectory, and the scales along e2 and e3 there: three (n,) float arrays."""
+    """Arc lengths all along the trajectory, and the values of the laws there: six (n,) float arrays."""
     s = np.linspace(0.0, arc_length(along.trajectory).total, SEARCHED)
-    return s, *along.at(s)[:2]
+    return s, *along.at(s)
+
+
+def slopes(values, s):
+    """The first and the second derivative of rows of values by differences, no second one where it is rounding."""
+    first = np.gradient(values, s, axis=-1)
+    second = np.gradient(first, s, axis=-1)
+    second[np.abs(second) * s[-1] ** 2 < 1e-4 * np.abs(values).max()] = 0.0
+    return first, second
+
+
+def bend_beside(offset, twist, s):
+    """How much the way of a point bends that is moved off a straight trajectory and turned about it: (n,) in 1/m.
+
+    The point is o exp(i twist) at height s, and its acceleration counts as far as it is across its velocity.
+    """
+    rates, changes = slopes(offset, s)
+    place, moving, swerving = ((1, 1j) @ np.array(pair) for pair in (offset, rates, changes))
+    turning, spinning = slopes(twist, s)
+    velocity = moving + 1j * place * turning
+    acceleration = swerving + 2j * moving * turning + (1j * spinning - turning**2) * place
+    along = (acceleration * velocity.conj()).real ** 2 / (1 + np.abs(velocity) ** 2)
+    return np.sqrt(np.maximum(np.abs(acceleration) ** 2 - along, 0.0))
 
 
 def tips(scale_x, scale_y, largest, closed):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The generalized cylinder: G(u, v) = t(u) + Sx(u) cx(v) e2(u) + Sy(u) cy(v) e3(u)."""
+"""The generalized cylinder: G(u, v) = t(u) + (ox(u) + Sx(u) cx(v)) e2(u) + (oy(u) + Sy(u) cy(v)) e3(u)."""
 
 from dataclasses import replace
 from functools import lru_cache
@@ -29,13 +29,15 @@ CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge
 
 @declared
 class GeneralizedCylinder:
-    """A contour that moves along a trajectory, scaled and turned on the way
+    """A contour that moves along a trajectory, scaled, turned and moved aside on the way
 
-    The contour's own x and y axes lie along e2 and e3 of the trajectory's frame, its origin on the trajectory.
+    The contour's own x and y axes lie along e2 and e3 of the trajectory's frame. Its origin, the reference point, is on
+    the trajectory, or beside it by the offsets: they are measured along e2 and e3 as twist has turned them, and no
+    scale stretches them. So a constant offset and an even twist carry the contour round the trajectory on a helix.
 
     Source
     ------
-    The lecture's G(u, n) = t(u) + Sx(u) cx(n) e2(u) + Sy(u) cy(n) e3(u).
+    The lecture's G(u, n) = t(u) + Sx(u) cx(n) e2(u) + Sy(u) cy(n) e3(u), where the offset is 0.
 
     Examples
     --------
@@ -56,6 +58,8 @@ class GeneralizedCylinder:
     scale_x: Law = parameter(1.0, "Scale along e2", group="Along the Path")
     scale_y: Law = parameter(1.0, "Scale along e3", group="Along the Path")
     twist: Law = angle(0.0, "Turn about the tangent", group="Along the Path")
+    offset_x: Law = parameter(0.0, "Offset from the path along e2", unit="length", group="Along the Path")
+    offset_y: Law = parameter(0.0, "Offset from the path along e3", unit="length", group="Along the Path")
     start: End = parameter(Flat(), "What closes the start", group="Ends")
     end: End = parameter(Flat(), "What closes the end", group="Ends")
 
@@ -80,19 +84,24 @@ class GeneralizedCylinder:
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
         if closed and (isinstance(self.start, Taper) or isinstance(self.end, Taper)):
             told += ("Ends: a closed trajectory has none, so nothing tapers.",)
-        along = Along(self.trajectory, self.scale_x, self.scale_y, self.twist, tapers(*ends))
+        laws = (self.scale_x, self.scale_y, self.twist, self.offset_x, self.offset_y)
+        along = Along(self.trajectory, *laws, tapers(*ends))
         reach = float(np.linalg.norm(section.points, axis=1).max())
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         vertices = len(stations.s) * len(section.points)
         require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
 
-        scale_x, scale_y, twist = along.at(stations.s, stations.u)
+        scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)
-        reach, least = reach * along.largest, ROUNDING * np.abs(stations.points).max()
-        require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
-        if mirrored:
-            section, scale_x = mirror(section), -scale_x
         e2, e3, said = axes(self.frame, stations, twist)
+        rings = np.stack((across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]))
+        rings[:, stations.corners] = mitred(stations, rings[:, stations.corners])
+        rings[0] += stations.points
+        reach, least = reach * along.largest, ROUNDING * np.abs(rings[0]).max()
+        require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
+        backward, warned = running_backward(stations, rings[0]) if np.any(offset) else (False, ())
+        if mirrored != backward:
+            section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
         grid = Grid(
             rings=len(stations.s),
             tips=tuple(np.flatnonzero(points).tolist()),
@@ -105,8 +114,6 @@ class GeneralizedCylinder:
                 for end, station in zip(ends, (0, -1), strict=True)
             ),
         )
-        rings = np.stack((stations.points, e2 * scale_x[:, None], e3 * scale_y[:, None]))
-        rings[1:, stations.corners] = mitred(stations, rings[1:, stations.corners])
         scales = np.stack((scale_x, scale_y), axis=1)
         chart = Chart(
             grid,
@@ -116,7 +123,7 @@ class GeneralizedCylinder:
             lengths_around(section, np.abs(scales[~points]).mean(axis=0)),
             tuple(section.points * scales[station] for station in (0, -1)),
         )
-        return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said)
+        return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said + warned)
 
 
 @lru_cache(maxsize=16)
@@ -133,6 +140,28 @@ def creases(stations):
     """The stations where a mitre turns so much that it is an edge."""
     turn = np.einsum("ij,ij->i", stations.arrive[stations.corners], stations.leave[stations.corners])
     return tuple(stations.corners[turn < CREASE].tolist())
+
+
+def across(offset, e2, e3):
+    """The way of each contour off the trajectory: (n, 3)."""
+    x, y = offset
+    return e2 * x[:, None] + e3 * y[:, None] if x.any() or y.any() else np.zeros_like(e2)
+
+
+def running_backward(stations, centres):
+    """Whether contours beside the trajectory, beyond its centres of curvature, run backward; and a warning if some do.
+
+    Where all do, the surface is that of a sweep the other way.
+    """
+    ahead, here = stations.onward, slice(len(stations.onward))
+    steps = centres[ahead] - centres[here]
+    back = np.einsum("ij,ij->i", steps, stations.leave[here] + stations.arrive[ahead]) < 0
+    if not back.any() or back.all():
+        return bool(back.all()), ()
+    place = stations.u[np.argmax(back)]
+    return False, (
+        f"Offset: near u = {place:.4g} it goes beyond the centre of curvature, and the sweep runs back through itself.",
+    )
 
 
 def mirror(section):

@@ -103,7 +103,7 @@ def test_every_sweep_is_a_solid(contour, trajectory, samples, frame, scale, twis
     closed, total = trajectory.closed, trajectory.length()
     assume(total > 0.45)
     assume(not closed or (LAWS[scale][0] is not None and TWISTS[twist]))
-    mesh = GeneralizedCylinder(contour, trajectory, samples, frame, scale, scale, twist, start, end).mesh()
+    mesh = GeneralizedCylinder(contour, trajectory, samples, frame, scale, scale, twist, start=start, end=end).mesh()
 
     if closed:
         assert_solid(mesh, euler=LAWS[scale][0])
