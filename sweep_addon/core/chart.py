@@ -4,11 +4,18 @@
 
 import zlib
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 
 from .grid import Grid
 from .runs import run_of
+
+
+class Texture(Enum):
+    LENGTHS = "True lengths in metres along the trajectory and round the contour"
+    UNIT = "From 0 to 1 along the trajectory and round each loop of the contour, and over each cap"
+    NONE = "No texture coordinates"
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +35,9 @@ class Chart:
         The length round the contour at each point, loop after loop, each loop with its end.
     ends : tuple of two (m, 2) float arrays
         The section as it stands at the start and at the end, in metres.
+    texture : Texture
+    named : bool
+        Whether vertices have named attributes.
     """
 
     grid: Grid
@@ -36,11 +46,15 @@ class Chart:
     total: float
     around: np.ndarray
     ends: tuple
+    texture: Texture = Texture.LENGTHS
+    named: bool = True
 
     @property
     def keys(self):
-        """Two short texts that differ where what is known along the trajectory or round the contour differs."""
-        return short_text(self.u, self.s), short_text(self.around, *self.ends)
+        """Three short texts that differ where the texture, and attributes along and across, do; empty for none."""
+        along, across = short_text(self.u, self.s), short_text(self.around, *self.ends)
+        texture = "" if self.texture is Texture.NONE else self.texture.name + along + across
+        return (texture, along, across) if self.named else (texture, "", "")
 
     @property
     def rings(self):
@@ -54,12 +68,15 @@ class Chart:
         start = np.arange(self.grid.columns) + loop
         return self.around[start], self.around[start + 1]
 
-    def uv(self, dtype=np.float64):
-        """Texture coordinates (c, 2) of each corner in metres: along the trajectory, round the contour."""
-        pairs, below, above = self.grid.bands()
-        low, high = self.s[pairs].T
-        high = np.where(high > low, high, self.total)
-        left, right = self.columns()
+    def uv(self, dtype=np.float64, empty=np.empty):
+        """Texture coordinates of each corner, along the trajectory and round the contour: (c, 2), or None for none.
+
+        They are written into what ``empty`` gives for a number of elements and a dtype.
+        """
+        if self.texture is Texture.NONE:
+            return None
+        _, below, above = self.grid.bands()
+        low, high, left, right = self.strip()
         sides = np.stack((np.ones_like(left), left, right), axis=1).astype(dtype)
         kinds = (
             (~below & ~above, (low, low, high, high), (0, 1, 1, 0)),
@@ -68,7 +85,7 @@ class Chart:
         )
         widths = [2 * len(shares) * np.count_nonzero(chosen) for chosen, _, shares in kinds]
         caps = list(self.cap_uv(dtype))
-        uv = np.empty(len(sides) * sum(widths) + sum(cap.size for cap in caps), dtype)
+        uv = empty(len(sides) * sum(widths) + sum(cap.size for cap in caps), dtype)
         start = 0
         for (chosen, along, shares), width in zip(kinds, widths, strict=True):
             # One matrix product lays all corners: along the trajectory + left + right, each by its share.
@@ -81,24 +98,40 @@ class Chart:
         uv[start:] = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in caps)])
         return uv.reshape(-1, 2)
 
+    def strip(self):
+        """Where each band starts and ends along the texture, two (b,), and each column's face across it, two (m,)."""
+        low, high = self.s[self.grid.bands()[0]].T
+        high = np.where(high > low, high, self.total)
+        left, right = self.columns()
+        if self.texture is Texture.LENGTHS:
+            return low, high, left, right
+        offsets = np.array(self.grid.offsets)
+        loop = run_of(offsets)
+        start, end = self.around[offsets[loop] + loop], self.around[offsets[loop + 1] + loop]
+        return low / self.total, high / self.total, (left - start) / (end - start), (right - start) / (end - start)
+
     def cap_uv(self, dtype):
-        """The caps lie flat beside the strip, before its start and after its end."""
-        margin = 0.05 * self.total
+        """The caps lie flat beside the strip, before its start and after its end; as a unit each has one of its own."""
+        lengths = self.texture is Texture.LENGTHS
+        before, after = (-0.05 * self.total, 1.05 * self.total) if lengths else (1.0, 0.0)
         for cap, section, end in zip(self.grid.caps, self.ends, (0, 1), strict=True):
             if cap is None:
                 continue
             points, offsets = (np.array(part) for part in cap)
             flat = section - section.min(axis=0)
+            flat = flat if lengths else flat / flat.max()
             if end == 0:
                 face = run_of(offsets)
                 points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
-                flat = flat * (-1, 1) - (margin, 0)
+                flat = flat * (-1, 1) + (before, 0)
             else:
-                flat = flat + (self.total + margin, 0)
+                flat = flat + (after, 0)
             yield flat[points].astype(dtype)
 
     def along(self, dtype=np.float64):
         """Values at each vertex that depend on its station: u and arc_length."""
+        if not self.named:
+            return {}
         whole, tips = self.grid.whole, list(self.grid.tips)
 
         def by_ring(values):
@@ -109,6 +142,8 @@ class Chart:
 
     def across(self, dtype=np.float64):
         """Values at each vertex that depend on its place on the contour: v, the length round it."""
+        if not self.named:
+            return {}
         start, _ = self.columns()
         v = np.repeat(start.astype(dtype), len(self.grid.whole))
         return {"v": np.concatenate((v, np.zeros(len(self.grid.tips), dtype)))}

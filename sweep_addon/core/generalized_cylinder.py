@@ -9,7 +9,7 @@ import numpy as np
 
 from . import caps
 from .along import Along, tapers, tips
-from .chart import Chart, lengths_around
+from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour
 from .ends import End, Flat, Taper
 from .frames import Frame, RotationMinimizing, axes
@@ -22,6 +22,7 @@ from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
 from .trajectories.curve import unit
 
+ATTRIBUTES = "UVs and Attributes"
 MOST_VERTICES = 20_000_000
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
@@ -62,6 +63,8 @@ class GeneralizedCylinder:
     offset_y: Law = parameter(0.0, "Offset from the path along e3", unit="length", group="Along the Path")
     start: End = parameter(Flat(), "What closes the start", group="Ends")
     end: End = parameter(Flat(), "What closes the end", group="Ends")
+    texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
+    attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
@@ -122,6 +125,8 @@ class GeneralizedCylinder:
             stations.total,
             lengths_around(section, np.abs(scales[~points]).mean(axis=0)),
             tuple(section.points * scales[station] for station in (0, -1)),
+            self.texture,
+            self.attributes,
         )
         return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said + warned)
 

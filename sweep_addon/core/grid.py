@@ -88,14 +88,12 @@ def build(grid):
     around = (rings, [(stride[whole], 0, position[whole]), (0, stride[whole], position[whole])])
     points, used = zip(*side_faces(grid, stride, position), strict=True)
     caps, inner = cap_faces(grid, stride, position)
-    sizes = np.concatenate(
-        [np.repeat(np.int32(len(terms)), columns * count) for count, terms in points] + [size for *_, size in caps]
-    )
-    material = np.full(len(sizes), CAP, np.int32)
+    offsets = face_offsets(grid, points, [sizes for *_, sizes in caps])
+    material = np.full(len(offsets) - 1, CAP, np.int32)
     material[: columns * len(pairs)] = SIDE
     return Topology(
         corners=laid(grid, points, *(corners for corners, *_ in caps)),
-        offsets=np.concatenate((np.zeros(1, np.int32), sizes)).cumsum(dtype=np.int32),
+        offsets=offsets,
         edges=laid(grid, (along, around), inner.ravel()).reshape(-1, 2),
         corner_edges=laid(grid, used, *(edges for _, edges, _ in caps)),
         sharp=sharp_edges(grid, len(pairs), len(inner)),
@@ -136,11 +134,31 @@ def laid(grid, blocks, *rest):
         own, ahead, fixed = np.empty((3, count, len(terms)), np.int32)
         for i, term in enumerate(terms):
             own[:, i], ahead[:, i], fixed[:, i] = term
-        np.multiply(column[:, None, None], own + ahead, out=part)
-        part += fixed + ahead
+        lay(column, own + ahead, fixed + ahead, part)
         part[last] += (following - column - 1)[last, None, None] * ahead
     end[:] = np.concatenate((end[:0], *rest))
     return numbers
+
+
+def lay(column, step, start, out):
+    """column * step + start of one column after the other, in one pass over the memory where all steps are one."""
+    first = step[:1, :1]
+    if (step == first).all():
+        np.add(column[:, None, None] * first, start, out=out)
+    else:
+        np.multiply(column[:, None, None], step, out=out)
+        out += start
+
+
+def face_offsets(grid, blocks, sizes):
+    """Where each face starts: evenly in a block, whose faces are of one size, then by the sizes of the others."""
+    parts, start = [], 0
+    for count, terms in blocks:
+        end = start + grid.columns * count * len(terms)
+        parts.append(np.arange(start, end, len(terms), dtype=np.int32))
+        start = end
+    reached = np.cumsum(np.concatenate(([start], *sizes)), dtype=np.int32)
+    return np.concatenate((*parts, reached))
 
 
 def side_faces(grid, stride, position):
@@ -197,8 +215,10 @@ def cap_faces(grid, stride, position):
 
 def sharp_edges(grid, bands, inner):
     """Edges along the corners of the contour, round the mitres and round the caps."""
-    along, around = np.zeros((grid.columns, bands), bool), np.zeros((grid.columns, len(grid.whole)), bool)
-    along[list(grid.sharp)] = True
+    columns, rings = grid.columns, len(grid.whole)
+    sharp = np.zeros(columns * (bands + rings) + inner, bool)
+    sharp[: columns * bands].reshape(columns, bands)[list(grid.sharp)] = True
     rims = [station for station, cap in zip((0, grid.rings - 1), grid.caps, strict=True) if cap is not None]
+    around = sharp[columns * bands : columns * (bands + rings)].reshape(columns, rings)
     around[:, np.isin(grid.whole, [*grid.creases, *rims])] = True
-    return np.concatenate((along.ravel(), around.ravel(), np.zeros(inner, bool)))
+    return sharp

@@ -24,8 +24,9 @@ class Charts:
     def rings(self):
         return sum(chart.rings for chart in self.parts)
 
-    def uv(self, dtype=np.float64):
-        return np.concatenate([chart.uv(dtype) for chart in self.parts])
+    def uv(self, dtype=np.float64, empty=np.empty):
+        parts = [chart.uv(dtype) for chart in self.parts]
+        return None if parts[0] is None else np.concatenate(parts)
 
     def along(self, dtype=np.float64):
         return together([chart.along(dtype) for chart in self.parts])

@@ -122,7 +122,7 @@ class Mesh:
 
     @cached_property
     def uv(self):
-        """(c, 2) float array: texture coordinates of each corner, in metres."""
+        """(c, 2) float array: texture coordinates of each corner; None where there are none."""
         return self.chart.uv()
 
     @cached_property

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The grid against its own faces: edges known without a search are those a search finds, and textures keep lengths."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from solids import GLYPHS
@@ -43,6 +45,11 @@ def faces_at_edges(mesh):
     """The edge at each corner, its two ends as the face runs, and the face: (c,), (c, 2), (c,)."""
     face = np.repeat(np.arange(len(mesh.offsets) - 1), np.diff(mesh.offsets))
     return mesh.topology.corner_edges, np.stack((mesh.corners, mesh.corners[mesh.topology.following]), axis=1), face
+
+
+def lowest_of_face(values, mesh):
+    """The least value at the corners of each face, at each of its corners."""
+    return np.repeat(np.minimum.reduceat(values, mesh.offsets[:-1]), np.diff(mesh.offsets))
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -159,8 +166,30 @@ def test_equal_grids_share_their_arrays_and_unequal_ones_have_other_keys():
     assert tube.mesh().topology is thicker.mesh().topology
     keys = {mesh_of(name).topology.key for name in SHAPES}
     assert len(keys) == len(SHAPES)
-    assert tube.mesh().chart.keys[0] == thicker.mesh().chart.keys[0] != SHAPES["pencil"].mesh().chart.keys[0]
-    assert tube.mesh().chart.keys[1] != thicker.mesh().chart.keys[1]
+    (_, along, across), (_, same, other), (_, longer, _) = (
+        made.chart.keys for made in (tube.mesh(), thicker.mesh(), mesh_of("pencil"))
+    )
+    assert along == same != longer and across != other
+
+
+@pytest.mark.parametrize("name", [name for name in SHAPES if name not in ("two", "mirrored")])
+def test_unit_texture_runs_from_0_to_1_along_and_round_each_loop_in_proportion_to_lengths(name):
+    lengths, unit = SHAPES[name].mesh(), replace(SHAPES[name], texture="unit").mesh()
+    side = np.repeat(lengths.topology.material == SIDE, np.diff(lengths.offsets))
+    perimeters = SHAPES[name].contour.section().perimeters
+    starts = np.cumsum(perimeters) - perimeters
+    metres = lengths.uv[:, 1] * perimeters.sum() / lengths.chart.around[-1]
+    loop = np.searchsorted(starts, lowest_of_face(metres, lengths)[side] + 1e-9) - 1
+    (along, _), shares, around = lengths.uv[side].T, unit.uv[side].T, metres[side]
+    assert np.abs(shares[0] - along / lengths.chart.total).max() < 1e-12
+    assert np.abs(shares[1] - (around - starts[loop]) / perimeters[loop]).max() < 1e-9
+    assert unit.uv.min() >= 0 and unit.uv.max() <= 1 + 1e-12
+
+
+def test_textures_and_attributes_that_are_not_wanted_are_not_made():
+    bare = replace(SHAPES["tube"], texture="none", attributes=False).mesh()
+    assert bare.uv is None and bare.attributes == {} and bare.chart.keys == ("", "", "")
+    assert joined([bare, bare]).uv is None
 
 
 def test_a_concave_cap_has_the_area_of_its_outline():

@@ -37,6 +37,8 @@ def nesting(points, offsets):
 
     A loop lies in another if a ray from its first point along an axis passes an odd number of the other's edges.
     """
+    if len(offsets) == 2:
+        return np.zeros((0, 2), dtype=int)
     loop, places, after = run_of(offsets), points[offsets[:-1]], following(offsets)
     levels = [on_a_level(points[:, axis], after, places[:, axis]) for axis in (0, 1)]
     axis = min((0, 1), key=lambda axis: levels[axis][2].sum())
