@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From a property that is set to the mesh that Blender shows, beside other ways to the same tube."""
 
+from dataclasses import replace
+
 import numpy as np
 from measuring import medians, short, table, tell, verdict
 from peers import Bevel, CurveToMesh, FromPydata, curve, evaluated, ring, trimesh_sweep
@@ -10,10 +12,9 @@ from bl_ext.user_default import sweep_addon as sw
 
 SIZES = {(1_000, 32): 60, (10_000, 64): 15}  # contours and points: rounds
 NODE, TEXTURED = "Curve to Mesh node, no UVs", "Curve to Mesh node, UVs in true lengths"
-TWIST, NEW = "twist", "new topology, with UVs and attributes"
-RADIUS, PITCH, FORMULA = (
-    f"{what}, with UVs" for what in ("radius of the contour", "pitch of the trajectory", "formula of a scale")
-)
+TWIST, NEW = "twist, which keeps UVs", "new topology"
+RADIUS, PITCH, FORMULA = "radius of the contour", "pitch of the trajectory", "formula of a scale"
+BARE, LAID = ", no UVs or attributes", ", with UVs and attributes"
 PYDATA, TRIMESH = "`from_pydata`, places and faces known beforehand", "trimesh `sweep_polygon`, not in Blender"
 INTRODUCTION = """
 ### Live update
@@ -21,8 +22,8 @@ INTRODUCTION = """
 A tube along a helix of 5 turns, from a property that is set to the mesh that Blender shows: milliseconds, and how many
 times that of Blender's own node in the same run. The measurements take turns; medians of {rounds} rounds. Every value
 is new. A turn is two changes: the first comes after other work, as when a value is typed; the second, *dragged*, comes
-after one of its own kind. The node always makes everything anew; its usual set-up with UVs stands beside the bare
-node, since all rows but the first change this project's UVs too.
+after one of its own kind. The node always makes everything anew. Its usual set-up with UVs stands beside the bare
+node, and every change that changes UVs is measured with them, as by default, and with a tube that has none.
 """
 
 
@@ -34,15 +35,12 @@ def measured(contours, points, rounds):
         samples=sw.sampling.Count(contours),
     )
     path = tube.trajectory.evaluate(np.linspace(*tube.trajectory.domain, contours))
-    lawful = sw.GeneralizedCylinder(tube.contour, tube.trajectory, tube.samples, scale_x="1 + t")
     node, textured = (CurveToMesh(curve(path), points, texture=texture) for texture in (False, True))
     bevel, written, swept = Bevel(path, points), FromPydata(tube.mesh()), trimesh_sweep()
     actions = {
         TWIST: setter(tube, "twist_constant_value", lambda i: 0.01 * i),
-        RADIUS: setter(tube, "contour_circle_radius", lambda i: 0.1 + 0.001 * i),
-        PITCH: setter(tube, "trajectory_helix_pitch", lambda i: 0.5 + 0.001 * i),
-        FORMULA: setter(lawful, "scale_x_formula_text", lambda i: f"1 + 0.001*{i}*t"),
-        NEW: setter(tube, "samples_count_contours", lambda i: contours - i),
+        **changes(tube, contours, LAID),
+        **changes(replace(tube, texture="none", attributes=False), contours, BARE),
         NODE: lambda i: node.set_radius(0.1 + 0.001 * i),
         TEXTURED: lambda i: textured.set_radius(0.1 + 0.001 * i),
         "Curve bevel, with UVs by sample number": lambda i: bevel.set_radius(0.1 + 0.001 * i),
@@ -54,6 +52,16 @@ def measured(contours, points, rounds):
     same_size = {len(node.mesh().vertices), len(textured.mesh().vertices), len(written.places)}
     assert same_size == {contours * points}, same_size
     return [{TRIMESH: None} | times for times in medians(actions, rounds)]
+
+
+def changes(tube, contours, suffix):
+    """What changes texture coordinates too, where there are any."""
+    return {
+        RADIUS + suffix: setter(tube, "contour_circle_radius", lambda i: 0.1 + 0.001 * i),
+        PITCH + suffix: setter(tube, "trajectory_helix_pitch", lambda i: 0.5 + 0.001 * i),
+        FORMULA + suffix: setter(replace(tube, scale_x="1 + t"), "scale_x_formula_text", lambda i: f"1 + 0.001*{i}*t"),
+        NEW + suffix: setter(tube, "samples_count_contours", lambda i: contours - i),
+    }
 
 
 def setter(tube, name, value):
@@ -81,8 +89,11 @@ def rows(results):
 
 def targets(times):
     """What was asked for at the large size."""
-    for name, most in ((TWIST, 1), (RADIUS, 1), (PITCH, 1), (FORMULA, 1), (NEW, 8)):
-        yield f"- {name}, to the node without UVs: {verdict(times[name] / times[NODE], most)}"
+    for name in (TWIST, RADIUS + BARE, PITCH + BARE, FORMULA + BARE):
+        yield f"- {name}, to the node without UVs: {verdict(times[name] / times[NODE], 1)}"
+    for name in (RADIUS + LAID, PITCH + LAID, FORMULA + LAID):
+        yield f"- {name}, to the node with UVs: {verdict(times[name] / times[TEXTURED], 1)}"
+    yield f"- {NEW + LAID}, to the node without UVs: {verdict(times[NEW + LAID] / times[NODE], 8)}"
     for name in (PYDATA, TRIMESH):
         if times[name] is not None:
             yield f"- {name}, to {TWIST}: {short(times[name] / times[TWIST])}, at least 10 asked: " + (
