@@ -39,8 +39,8 @@ def measured(contours, points, rounds):
     bevel, written, swept = Bevel(path, points), FromPydata(tube.mesh()), trimesh_sweep()
     actions = {
         TWIST: setter(tube, "twist_constant_value", lambda i: 0.01 * i),
-        **changes(tube, contours, LAID),
-        **changes(replace(tube, texture="none", attributes=False), contours, BARE),
+        **changes(tube, contours, 0, LAID),
+        **changes(replace(tube, texture="none", attributes=False), contours, 1, BARE),
         NODE: lambda i: node.set_radius(0.1 + 0.001 * i),
         TEXTURED: lambda i: textured.set_radius(0.1 + 0.001 * i),
         "Curve bevel, with UVs by sample number": lambda i: bevel.set_radius(0.1 + 0.001 * i),
@@ -54,13 +54,14 @@ def measured(contours, points, rounds):
     return [{TRIMESH: None} | times for times in medians(actions, rounds)]
 
 
-def changes(tube, contours, suffix):
-    """What changes texture coordinates too, where there are any."""
+def changes(tube, contours, number, suffix):
+    """What changes texture coordinates too, where there are any; to values that no other number's changes have met."""
+    lawful = replace(tube, scale_x="1 + t")
     return {
-        RADIUS + suffix: setter(tube, "contour_circle_radius", lambda i: 0.1 + 0.001 * i),
-        PITCH + suffix: setter(tube, "trajectory_helix_pitch", lambda i: 0.5 + 0.001 * i),
-        FORMULA + suffix: setter(replace(tube, scale_x="1 + t"), "scale_x_formula_text", lambda i: f"1 + 0.001*{i}*t"),
-        NEW + suffix: setter(tube, "samples_count_contours", lambda i: contours - i),
+        RADIUS + suffix: setter(tube, "contour_circle_radius", lambda i: 0.1 + 0.001 * (2 * i + number)),
+        PITCH + suffix: setter(tube, "trajectory_helix_pitch", lambda i: 0.5 + 0.001 * (2 * i + number)),
+        FORMULA + suffix: setter(lawful, "scale_x_formula_text", lambda i: f"1 + 0.001*{2 * i + number}*t"),
+        NEW + suffix: setter(tube, "samples_count_contours", lambda i: contours - 2 * i - number),
     }
 
 

@@ -14,8 +14,8 @@ import numpy as np
 
 from .parameters import ShapeError, declared, parameter, require
 from .rotations import rotated, signed_angle, turned, wrapped
-from .trajectories.curve import unit
 from .transport import transport
+from .vectors import unit
 
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 

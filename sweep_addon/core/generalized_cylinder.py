@@ -20,7 +20,7 @@ from .parameters import angle, at, declared, parameter, require
 from .sampling import Sampling, Tolerance, place
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
-from .trajectories.curve import unit
+from .vectors import unit
 
 ATTRIBUTES = "UVs and Attributes"
 MOST_VERTICES = 20_000_000

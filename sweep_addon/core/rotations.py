@@ -6,7 +6,7 @@ from math import tau
 
 import numpy as np
 
-from .trajectories.curve import unit
+from .vectors import unit
 
 
 def any_normal(tangents):

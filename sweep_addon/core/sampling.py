@@ -9,7 +9,8 @@ import numpy as np
 
 from .parameters import ShapeError, count, declared, length, require
 from .trajectories.arc_length import arc_length, subdivided
-from .trajectories.curve import SAME_DIRECTION, SHARPEST, unit
+from .trajectories.curve import SAME_DIRECTION, SHARPEST
+from .vectors import norms, unit
 
 MOST_STATIONS = 200_000
 WIDEST_TURN = np.radians(30)  # a bend or a twist in one step; more looks broken at any tolerance
@@ -205,7 +206,7 @@ def cells(trajectory, chord, extra):
     width, u = width[kept], np.stack((u[:-1], u[1:]))[:, kept]
     grid = np.concatenate(([0.0], np.cumsum(width)))
     grid[-1] = measure.total
-    turns = [np.linalg.norm(bend(trajectory, u[end], end == 1), axis=1) * width for end in (0, 1)]
+    turns = [norms(bend(trajectory, u[end], end == 1)) * width for end in (0, 1)]
     turn = np.minimum(np.maximum(*turns), np.maximum(np.minimum(*turns), np.pi))
     steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_TURN)
     if extra is not None:
@@ -234,8 +235,8 @@ def bend(trajectory, u, before=False):
     squared = np.einsum("ij,ij->i", first, first)[:, None]
     squared = np.where(squared > 0, squared, np.inf)
     across = second - np.einsum("ij,ij->i", first, second)[:, None] / squared * first
-    noise = NOISE * np.abs(first).max(initial=0.0) * np.linalg.norm(second, axis=1) / np.sqrt(squared[:, 0])
-    across[np.linalg.norm(across, axis=1) <= noise] = 0.0
+    noise = NOISE * np.abs(first).max(initial=0.0) * norms(second) / np.sqrt(squared[:, 0])
+    across[norms(across) <= noise] = 0.0
     return across / squared
 
 
@@ -243,10 +244,14 @@ def stations(trajectory, s):
     """What the trajectory is like at arc lengths s."""
     measure = arc_length(trajectory)
     u = measure.parameter(s)
-    u = snapped(u, trajectory.joints())
+    joints = trajectory.joints()
+    u = snapped(u, joints)
     leave = trajectory.tangents(u)
-    entered = measure.entered(np.append(u[1:], trajectory.domain[1]) if trajectory.closed else u)
-    arrive = np.roll(trajectory.tangents(entered, before=True), trajectory.closed, axis=0)
+    reached = np.append(u[1:], trajectory.domain[1]) if trajectory.closed else u
+    entered, arrive = measure.entered(reached), np.roll(leave, -trajectory.closed, axis=0)
+    joint = np.isin(reached, joints) | (entered != reached)
+    arrive[joint] = trajectory.tangents(entered[joint], before=True)
+    arrive = np.roll(arrive, trajectory.closed, axis=0)
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
     for lost, other in ((leave, arrive), (arrive, leave)):  # a direction is lost where rounding outweighs the speed
@@ -254,7 +259,7 @@ def stations(trajectory, s):
         lost[gone] = other[gone]
     bends = bend(trajectory, u)
     turn = leave - arrive
-    corner = np.linalg.norm(turn, axis=1) > SAME_DIRECTION
+    corner = norms(turn) > SAME_DIRECTION
     back = np.einsum("ij,ij->i", arrive, leave) < SHARPEST
     if back.any():
         raise ShapeError(f"must not turn back on itself, got a reversal at u = {u[np.argmax(back)]:.6g}", "trajectory")

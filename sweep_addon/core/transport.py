@@ -18,7 +18,7 @@ import numpy as np
 
 from .rotations import any_normal, rotated, signed_angle, turned
 from .trajectories.arc_length import arc_length, subdivided
-from .trajectories.curve import unit
+from .vectors import unit
 
 ORDER = 13  # nodes in a panel; odd, so that one is in the middle
 ANGLES = (np.arange(ORDER) + 0.5) * np.pi / ORDER

@@ -7,6 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..parameters import require
+from ..vectors import norms
 
 # Gauss-Legendre quadrature with five nodes; numpy.polynomial, which knows them too, takes 3 ms to import.
 INNER, OUTER = np.sqrt(5 - 2 * np.sqrt(10 / 7)) / 3, np.sqrt(5 + 2 * np.sqrt(10 / 7)) / 3
@@ -65,7 +66,7 @@ class ArcLength:
         """The arc length between pairs of parameters with no joint between them: two (n,) to (n,)."""
         half = (end - start) / 2
         u = (start + end)[:, None] / 2 + half[:, None] * NODES
-        speed = np.linalg.norm(self.trajectory.derivative(u.ravel()), axis=1).reshape(u.shape)
+        speed = norms(self.trajectory.derivative(u.ravel())).reshape(u.shape)
         return half * (speed @ WEIGHTS)
 
     def at(self, u):
@@ -91,7 +92,7 @@ class ArcLength:
             before = u[todo]
             low[todo] = np.where(beyond < 0, before, low[todo])
             high[todo] = np.where(beyond > 0, before, high[todo])
-            speed = np.linalg.norm(self.trajectory.derivative(before), axis=1)
+            speed = norms(self.trajectory.derivative(before))
             after = before - beyond / np.where(speed, speed, np.inf)
             inside = (low[todo] < after) & (after < high[todo])
             u[todo] = np.where(inside, after, (low[todo] + high[todo]) / 2)

@@ -5,8 +5,8 @@
 import numpy as np
 
 from ..parameters import ShapeError
+from ..vectors import unit
 from .arc_length import NODES, WEIGHTS, subdivided
-from .curve import unit
 
 CELLS, MOST_CELLS = 509, 1 << 13  # a prime number: no simple fraction of the domain is an end of a cell
 HALVINGS = 34  # until a cell is a millionth of a millionth of the domain

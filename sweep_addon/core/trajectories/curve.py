@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..vectors import norms, unit
 from .arc_length import arc_length
 
 SAME_DIRECTION = 1e-6  # radians: tangents closer than this meet smoothly, a corner of a micrometre in a metre
@@ -49,7 +50,7 @@ class Trajectory:
         scale = arc_length(self).total / (self.domain[1] - self.domain[0])
         tangents = self.derivative(u, 1, before)
         for order in (2, 3):
-            vanishing = np.linalg.norm(tangents, axis=1) < 1e-9 * scale
+            vanishing = norms(tangents) < 1e-9 * scale
             if not vanishing.any():
                 break
             side = (-1) ** (order - 1) if before else 1
@@ -63,10 +64,4 @@ class Trajectory:
         if self.closed:
             inner = joints[:-1]
         before = self.tangents(np.where(inner == joints[0], joints[-1], inner), before=True)
-        return inner[np.linalg.norm(self.tangents(inner) - before, axis=1) > SAME_DIRECTION]
-
-
-def unit(vectors):
-    """Vectors of length one, row by row; a zero row stays zero."""
-    norm = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return vectors / np.where(norm, norm, 1.0)
+        return inner[norms(self.tangents(inner) - before) > SAME_DIRECTION]

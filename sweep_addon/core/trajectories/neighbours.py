@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from .curve import unit
+from ..vectors import unit
 
 MOST = 7  # points whose polynomial is differentiated
 TRUSTED = (0.1, 0.025)  # the part of a tangent that two more points may change; beyond twice that they are not heard

@@ -5,7 +5,8 @@
 import numpy as np
 
 from ..parameters import Array, ShapeError, declared, parameter, require
-from .curve import SHARPEST, Trajectory, unit
+from ..vectors import unit
+from .curve import SHARPEST, Trajectory
 
 
 @declared
