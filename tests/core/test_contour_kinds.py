@@ -14,6 +14,7 @@ from sweep_addon.core.contours import (
     Outline,
     Rectangle,
     RegularPolygon,
+    ScrewThread,
     Section,
     Star,
     Superellipse,
@@ -35,6 +36,7 @@ CONTOURS = [
     Superellipse(0.4, 0.3, 0.25),
     Superellipse(0.4, 0.1, 1.0),
     Superellipse(0.4, 0.3, 100.0, quarter_points=5),
+    ScrewThread(0.4, 0.15, starts=2, points=16),
     SLOT,
 ]
 SHAPED = [(contour, f"{type(contour).__name__}-{i}") for i, contour in enumerate(CONTOURS)]

@@ -19,11 +19,12 @@ from .fit import Fit, fitted
 from .outline import Outline
 from .rectangle import Rectangle
 from .regular_polygon import RegularPolygon
+from .screw_thread import ScrewThread
 from .section import Section
 from .star import Star
 from .superellipse import Superellipse
 
-Contour = Circle | Ellipse | Rectangle | RegularPolygon | Star | Superellipse | Aerofoil | Outline
+Contour = Circle | Ellipse | Rectangle | RegularPolygon | Star | Superellipse | Aerofoil | ScrewThread | Outline
 
 __all__ = [
     "Aerofoil",
@@ -34,6 +35,7 @@ __all__ = [
     "Outline",
     "Rectangle",
     "RegularPolygon",
+    "ScrewThread",
     "Section",
     "Star",
     "Superellipse",
