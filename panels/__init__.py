@@ -7,7 +7,7 @@ from bpy.utils import register_classes_factory
 
 from . import add_menu, sidebar
 
-register_classes, unregister_classes = register_classes_factory((add_menu.VIEW3D_MT_sweep_add, sidebar.VIEW3D_PT_sweep))
+register_classes, unregister_classes = register_classes_factory((*add_menu.MENUS, sidebar.VIEW3D_PT_sweep))
 
 
 def register():

@@ -5,7 +5,9 @@
 from bpy.types import Menu
 
 from ..operators.add_shape import OPERATORS
-from ..sweep_addon.presets import PRESETS
+from ..sweep_addon.presets import PRESETS, title
+
+GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
 
 
 class VIEW3D_MT_sweep_add(Menu):
@@ -18,8 +20,34 @@ class VIEW3D_MT_sweep_add(Menu):
         for operator in OPERATORS:
             self.layout.operator(operator.bl_idname, icon="MESH_CYLINDER")
         self.layout.separator()
+        for entry in dict.fromkeys(preset.group or preset for preset in PRESETS):
+            if entry in GROUPS:
+                self.layout.menu(menu_name(entry))
+            else:
+                draw_preset(self.layout, entry, entry.title)
+
+
+def menu_name(group):
+    return f"VIEW3D_MT_sweep_{group}"
+
+
+def menu_of(group):
+    """The menu of the sizes in which a preset is offered."""
+
+    def draw(self, context):
+        self.layout.operator_context = "INVOKE_REGION_WIN"
         for preset in PRESETS:
-            self.layout.operator("mesh.sweep_preset_add", text=preset.title).preset = preset.name.upper()
+            if preset.group == group:
+                draw_preset(self.layout, preset, title(preset.path.stem))
+
+    return type(menu_name(group), (Menu,), {"bl_label": title(group), "draw": draw})
+
+
+def draw_preset(layout, preset, text):
+    layout.operator("mesh.sweep_preset_add", text=text).preset = preset.name.upper()
+
+
+MENUS = (*map(menu_of, GROUPS), VIEW3D_MT_sweep_add)
 
 
 def draw_in_mesh_add(self, context):

@@ -194,7 +194,17 @@ def test_menu_offers_every_shape_and_every_preset(scene):
     layout = Layout()
     bpy.types.VIEW3D_MT_sweep_add.draw(SimpleNamespace(layout=layout), bpy.context)
     assert layout.drawn.count("mesh.generalized_cylinder_add") == 1
-    assert layout.drawn.count("mesh.sweep_preset_add") == len(presets.PRESETS) >= 3
+    single = [preset for preset in presets.PRESETS if not preset.group]
+    assert layout.drawn.count("mesh.sweep_preset_add") == len(single) >= 3
+
+
+def test_sizes_of_a_preset_have_a_menu_of_their_own(scene):
+    layout = Layout()
+    bpy.types.VIEW3D_MT_sweep_add.draw(SimpleNamespace(layout=layout), bpy.context)
+    assert layout.drawn.count("VIEW3D_MT_sweep_screw_thread") == 1
+    sizes = Layout()
+    bpy.types.VIEW3D_MT_sweep_screw_thread.draw(SimpleNamespace(layout=sizes), bpy.context)
+    assert sizes.drawn.count("mesh.sweep_preset_add") == 10
 
 
 def test_menu_stands_in_add_mesh(scene):

@@ -13,7 +13,7 @@ from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import Array, ShapeError
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 
-CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, outline"
+CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"
 SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
 S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
 THERE, BACK = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0)], [(2, 0, 0), (1, 0, 0)]

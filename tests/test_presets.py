@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Presets are closed, quick to drag, and as large as the source that each names says."""
+
+from math import atan, degrees, pi
+
+import numpy as np
+import pytest
+
+from sweep_addon import presets
+from sweep_addon.batch import job
+from sweep_addon.core.sampling import place
+
+ALL = [preset.name for preset in presets.PRESETS]
+MOST_VERTICES = 65_536  # Blender draws so many in a few milliseconds
+
+
+def size(name):
+    """The extent of a preset in millimetres along x, y and z."""
+    return 1000 * np.ptp(presets.shape(name).mesh().vertices, axis=0)
+
+
+def radii(name, s):
+    """Distances from the x axis in millimetres of the ring that is nearest to a place on it, in metres."""
+    vertices = presets.shape(name).mesh().vertices
+    there = np.abs(vertices[:, 0] - s)
+    return 1000 * np.hypot(*vertices[there < there.min() + 1e-9, 1:].T)
+
+
+def test_presets_are_these_and_sizes_are_in_order():
+    single = [preset.name for preset in presets.PRESETS if not preset.group]
+    threads = [preset.title for preset in presets.PRESETS if preset.group == "screw_thread"]
+    assert single == sorted(single) and len(single) >= 11
+    assert threads == [f"Screw Thread M{size}" for size in (3, 4, 5, 6, 8, 10, 12, 16, 20, 24)]
+    assert len({preset.doc for preset in presets.PRESETS}) == len(ALL)
+
+
+@pytest.mark.parametrize("preset", presets.PRESETS, ids=ALL)
+def test_preset_is_a_job_for_a_closed_mesh_that_says_nothing(preset):
+    understood = job.read(preset.path)
+    mesh = understood.shape.mesh()
+    assert understood.shape == presets.shape(preset.name)
+    assert len(mesh.boundary_edges()) == len(mesh.non_manifold_edges()) == 0 and mesh.volume() > 0
+    assert len(mesh.vertices) <= MOST_VERTICES and mesh.told == ()
+
+
+@pytest.mark.parametrize("preset", presets.PRESETS, ids=ALL)
+def test_preset_says_what_it_is_as_a_tooltip_does(preset):
+    assert 10 < len(preset.doc) < 110 and preset.doc[0].isupper() and not preset.doc.endswith(".")
+
+
+@pytest.mark.parametrize("name", [name for name in ALL if name.startswith("screw_thread")])
+def test_screw_thread_turns_once_in_its_pitch(name):
+    """That its profile and diameters are those of ISO 724 is tested where the contour is."""
+    shape = presets.shape(name)
+    stations = place(shape.trajectory, shape.samples)
+    end = shape.trajectory.length()
+    turns = shape.twist.evaluate(stations.u, np.array([0, 1]), np.array([0, end]))[-1] / (2 * pi)
+    assert turns == pytest.approx(end / shape.contour.pitch, rel=1e-12)
+    assert name == f"screw_thread_m{1000 * shape.contour.diameter:g}"
+
+
+def test_cable_is_three_cores_of_the_size_of_h05v_k():
+    """EN 50525-2-31: insulation of 0.6 mm, at most 2.8 mm across; three circles that touch reach 2.155 of theirs."""
+    section = presets.shape("cable").contour.section()
+    across = 1000 * section.perimeters / pi
+    assert section.depth.tolist() == [0, 1, 2] * 3
+    assert across[0::3] == pytest.approx(2.5, abs=0.02) and (across[0::3] < 2.8).all()
+    assert (across[0::3] - across[1::3]) / 2 == pytest.approx(0.6, abs=0.01)
+    assert 2 * radii("cable", 0.0).max() == pytest.approx((1 + 2 / np.sqrt(3)) * 2.5, abs=0.03)
+
+
+def test_wire_rope_has_the_wires_and_the_diameter_of_its_class():
+    """API Specification 9A, table C.2: 6 x 7 with a wire strand core, 8 mm: 8.00 to 8.40 mm."""
+    section = presets.shape("wire_rope").contour.section()
+    assert len(section.perimeters) == 7 * 7 and not section.depth.any()
+    assert 8.00 <= 2 * radii("wire_rope", 0.0).max() <= 8.40
+
+
+def test_hose_is_a_conduit_pf_22():
+    """JIS C 8411:2019, table 5: 30.5 mm outside, at least 20.9 mm inside."""
+    shape = presets.shape("hose")
+    _, width, height = size("hose")
+    distances = 1000 * np.hypot(*shape.mesh().vertices[:, 1:].T)
+    assert width == pytest.approx(30.5, abs=0.05) and height == pytest.approx(30.5, abs=0.05)
+    assert 2 * distances.min() == pytest.approx(20.9, abs=0.05)
+
+
+def test_horn_is_the_bessel_horn_of_a_trombone():
+    """Smyth, Scott 2011: 10 mm at the throat, 108 mm at the mouth, flare 0.7, and b = 0.0063 in metres."""
+    assert radii("horn", 0.0).max() == pytest.approx(10, rel=1e-3)
+    assert radii("horn", 0.502).max() == pytest.approx(108, rel=1e-3)
+    b = 0.0063
+    start = (b / 0.108) ** (1 / 0.7)
+    for s in (0.1, 0.3, 0.45):
+        along = presets.shape("horn").mesh().vertices[:, 0]
+        nearest = along[np.abs(along - s).argmin()]
+        expected = 1000 * b * (0.502 - nearest + start) ** -0.7
+        assert radii("horn", nearest).max() == pytest.approx(expected, rel=0.01)
+
+
+def test_propeller_blade_follows_its_pitch():
+    """Pitch P means an angle of atan(P / 2 pi r); at three quarters of the radius the chord was measured as 0.199."""
+    vertices = presets.shape("propeller_blade").mesh().vertices
+    radius = 0.0254 * 8.9 / 2
+    at = vertices[np.abs(vertices[:, 0] - 0.75 * radius).argmin(), 0]
+    ring = vertices[np.abs(vertices[:, 0] - at) < 1e-9, 1:]
+    nose, tail = ring[ring[:, 0].argmin()], ring[ring[:, 0].argmax()]
+    rise, run = nose[1] - tail[1], tail[0] - nose[0]
+    assert degrees(atan(rise / run)) == pytest.approx(degrees(atan(4.7 * 0.0254 / (2 * pi * at))), abs=1)
+    assert np.hypot(rise, run) / radius == pytest.approx(0.199, abs=0.003)
+    assert vertices[:, 0].max() == pytest.approx(radius, rel=1e-4) and rise > 0
+
+
+def test_ribbon_is_as_long_and_as_wide_as_the_norm_asks():
+    """FIG Apparatus Norms: at least 6 m, 40 to 60 mm."""
+    shape = presets.shape("ribbon")
+    assert 6.0 <= shape.trajectory.length() <= 6.1
+    assert 0.04 <= shape.contour.height <= 0.06
