@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curves and texts of a Blender scene as trajectories and outlines."""
+"""Curves and texts of a Blender scene as trajectories and outlines.
+
+A trajectory carries the radius and the tilt of the curve's points; the contour of a curve has neither.
+"""
 
 import bpy
 import numpy as np
@@ -82,7 +85,7 @@ def spline_trajectory(spline, closed):
     points = coordinates(spline.points, "co", 4)
     if spline.type == "NURBS" and is_nurbs(spline, closed):
         return nurbs(spline, points, closed)
-    return polyline(points[:, :3], closed)
+    return polyline(spline, points[:, :3], closed)
 
 
 def coordinates(points, name, width=3):
@@ -91,7 +94,14 @@ def coordinates(points, name, width=3):
     return values.reshape(-1, width).astype(np.float64)
 
 
-def polyline(points, closed):
+def carried(spline, points, kept=slice(None)):
+    """The radii and tilts of the points that are kept, as a trajectory takes them; none where they say nothing."""
+    radii, tilts = (coordinates(points, name, 1)[:, 0][kept] for name in ("radius", "tilt"))
+    flat = spline.id_data.dimensions == "2D"  # where Blender turns nothing
+    return {"radii": radii if (radii != 1).any() else (), "tilts": tilts if tilts.any() and not flat else ()}
+
+
+def polyline(spline, points, closed):
     """A polyline without doubled points, which an edited curve easily has."""
     size = np.ptp(points, axis=0).max(initial=0.0)
     ahead = np.roll(points, -1, axis=0)
@@ -99,7 +109,7 @@ def polyline(points, closed):
     doubled[-1:] &= closed
     points = points[~doubled]
     closed = closed and len(points) > 2
-    return Polyline(points, closed) if len(points) > 1 else None
+    return Polyline(points, closed, **carried(spline, spline.points, ~doubled)) if len(points) > 1 else None
 
 
 def bezier(spline, closed):
@@ -108,11 +118,13 @@ def bezier(spline, closed):
     segments = np.stack((knots, right, np.roll(left, -1, axis=0), np.roll(knots, -1, axis=0)), axis=1)
     segments = segments if closed else segments[:-1]
     size = np.ptp(knots, axis=0).max(initial=0.0)
-    segments = segments[np.ptp(segments, axis=1).max(axis=1, initial=0.0) > COINCIDENT * size]
+    moving = np.ptp(segments, axis=1).max(axis=1, initial=0.0) > COINCIDENT * size
+    segments = segments[moving]
     if not len(segments):
         return None
     chain = segments[:, :3].reshape(-1, 3)
-    return Bezier(chain if closed else np.concatenate((chain, segments[-1:, 3])), closed)
+    own = carried(spline, spline.bezier_points, moving if closed else np.append(moving, True))
+    return Bezier(chain if closed else np.concatenate((chain, segments[-1:, 3])), closed, **own)
 
 
 def is_nurbs(spline, closed):
@@ -130,7 +142,7 @@ def nurbs(spline, points, closed):
     endpoint, bezier = spline.use_endpoint_u, spline.use_bezier_u
     usual = endpoint != closed and not bezier  # those that `Nurbs` has without being told
     knots = () if usual else spaced(len(points), spline.order_u, closed, endpoint, bezier)
-    return Nurbs(points[:, :3], points[:, 3], spline.order_u, knots, closed)
+    return Nurbs(points[:, :3], points[:, 3], spline.order_u, knots, closed, **carried(spline, spline.points))
 
 
 def spaced(size, order, closed, endpoint, bezier):
@@ -155,12 +167,21 @@ def from_trajectory(trajectory, name):
     curve.dimensions = "3D"
     if isinstance(trajectory, Polyline):
         spline = new_poly(curve, trajectory.points.values)
+        carry(spline.points, trajectory)
     else:
         spline = curve.splines.new("BEZIER")
         chain = trajectory if isinstance(trajectory, Bezier) else through(trajectory)
         set_bezier(spline, chain)
+        carry(spline.bezier_points, chain)
     spline.use_cyclic_u = trajectory.closed
     return curve
+
+
+def carry(points, trajectory):
+    """Write the radii and tilts of a trajectory on the points of its spline."""
+    for name, given in (("radius", trajectory.radii), ("tilt", trajectory.tilts)):
+        if len(given):
+            points.foreach_set(name, given.values)
 
 
 def through(trajectory):
@@ -171,7 +192,9 @@ def through(trajectory):
     out = stations.points[here] + step * stations.leave[here]
     back = stations.points[onward] - step * stations.arrive[onward]
     chain = np.stack((stations.points[here], out, back), axis=1).reshape(-1, 3)
-    return Bezier(chain if stations.closed else np.concatenate((chain, stations.points[-1:])), stations.closed)
+    chain = chain if stations.closed else np.concatenate((chain, stations.points[-1:]))
+    own = trajectory.carried(stations.u) if trajectory.carries else ()
+    return Bezier(chain, stations.closed, *own)
 
 
 def set_bezier(spline, chain):

@@ -41,14 +41,17 @@ class Along:
 
     @property
     def is_constant(self):
-        return all(getattr(self, key).is_constant for key in LAWS)
+        return not self.trajectory.carries and all(getattr(self, key).is_constant for key in LAWS)
 
     def unchanging(self):
         """The same for all laws that are constant, whose values do not move the stations."""
         return replace(self, **dict.fromkeys(LAWS, Constant(1.0))) if self.is_constant else self
 
     def at(self, s, u=None):
-        """The values of `LAWS` at arc lengths, or at parameters known: five (n,), in radians and metres."""
+        """The values of `LAWS` at arc lengths, or at parameters known: five (n,), in radians and metres.
+
+        The tapers, and the radius and the tilt of the curve itself, are in them.
+        """
         measure = arc_length(self.trajectory)
         u, t = measure.parameter(s) if u is None else u, s / measure.total
         values = []
@@ -62,6 +65,9 @@ class Along:
         for length, left in zip(self.tapers, (s, measure.total - s), strict=True):
             if length:
                 taper *= np.clip(left / length, 0.0, 1.0)
+        if self.trajectory.carries:
+            radius, tilt = self.trajectory.carried(u)
+            taper, values[2] = taper * radius, values[2] + tilt
         return values[0] * taper, values[1] * taper, *values[2:]
 
     def marks(self):
@@ -72,6 +78,8 @@ class Along:
             require(fits, f"must be at most {left:.6g}, what is left of the trajectory", length, key)
             left = max(left - length, 0.0)
         marks = [self.tapers[0], total - self.tapers[1]]
+        if self.trajectory.carries:  # the radius may bend there at once
+            marks.extend(arc_length(self.trajectory).at(self.trajectory.joints()))
         if not self.is_constant:
             points = np.sort(np.concatenate(([0.0], self.crossings(), self.touches(), [total])))
             flat = np.abs(self.at(points)[0]) <= NOTHING * self.largest

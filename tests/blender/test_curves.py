@@ -115,6 +115,52 @@ def test_curve_without_length_is_refused_by_name(scene, kind):
         curves.trajectories(ob)
 
 
+@pytest.mark.parametrize("kind", ["POLY", "BEZIER", "NURBS"])
+@pytest.mark.parametrize("cyclic", [False, True])
+def test_radius_and_tilt_of_the_points_are_those_of_blenders_bevel(scene, kind, cyclic):
+    """The first of four points of each contour of a bevel of 1 m: how far out it is, and by how much it has turned."""
+    random = np.random.default_rng(5)
+    ob = curve(kind, random.normal(size=(6, 9 if kind == "BEZIER" else 3)), use_cyclic_u=cyclic)
+    points = ob.data.splines[0].bezier_points if kind == "BEZIER" else ob.data.splines[0].points
+    (straight,) = curves.trajectories(ob)
+    arms = []
+    ob.data.bevel_depth, ob.data.bevel_resolution = 1.0, 0
+    for radii, tilts in ((np.ones(6), np.zeros(6)), (random.uniform(0.5, 2, 6), random.uniform(-1, 1, 6))):
+        points.foreach_set("radius", radii)
+        points.foreach_set("tilt", tilts)
+        arms.append(shown(ob).reshape(-1, 4, 3))
+    arms = [(rings - rings.mean(axis=1, keepdims=True))[:, 0] for rings in arms]
+    lengths = [np.linalg.norm(arm, axis=1) for arm in arms]
+    if kind == "BEZIER" and cyclic:  # whose bevel begins at the last knot
+        arms, lengths = ([np.roll(part, -12, axis=0) for part in parts] for parts in (arms, lengths))
+    turned = np.arccos(np.clip(np.einsum("ij,ij->i", *arms) / (lengths[0] * lengths[1]), -1, 1))
+
+    (trajectory,) = curves.trajectories(ob)
+
+    u = np.linspace(*trajectory.domain, len(turned), endpoint=not cyclic)
+    radius, tilt = trajectory.carried(u)
+    assert not straight.carries and trajectory.carries
+    assert radius == pytest.approx(lengths[1], abs=1e-5)
+    assert np.abs(tilt) == pytest.approx(turned, abs=2e-3)  # an arc cosine near 0, in single precision
+
+
+def test_radius_and_tilt_of_points_that_are_one_are_one(scene):
+    ob = curve("BEZIER", [(0, 0, 0) * 3, (0, 0, 0) * 3, (0, 0, 1, 0, 0, 2, 0, 0, 3)])
+    for point, radius in zip(ob.data.splines[0].bezier_points, (5, 2, 3), strict=True):
+        point.radius = radius
+    (trajectory,) = curves.trajectories(ob)
+    assert trajectory.radii.values.tolist() == [2, 3] and not len(trajectory.tilts)
+
+
+def test_a_flat_curve_has_no_tilt(scene):
+    """As Blender draws its bevel."""
+    ob = curve("POLY", [(0, 0, 0), (1, 0, 0)])
+    ob.data.dimensions = "2D"
+    ob.data.splines[0].points[1].tilt = 1
+    (trajectory,) = curves.trajectories(ob)
+    assert not trajectory.carries
+
+
 def test_curve_without_splines_is_refused(scene):
     with pytest.raises(ShapeError, match="must be a curve with a length"):
         curves.trajectories(add("Empty", bpy.data.curves.new("Empty", "CURVE")))
@@ -167,10 +213,15 @@ def test_outline_of_a_text_is_what_blender_fills(scene):
 def test_curve_of_a_trajectory_is_that_trajectory(scene):
     """There and back: Blender's points stay within a thousandth of the length of where the trajectory is."""
     corner = trajectories.Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
-    for made in (corner, trajectories.Line(), trajectories.Helix(), trajectories.TorusKnot(), trajectories.Bezier()):
+    carrying = trajectories.Bezier(radii=[1, 2], tilts=[0, 0.5])
+    spline = trajectories.Nurbs([(0, 0, 0), (0, 0, 1), (0, 1, 2), (0, 2, 2)], radii=[1, 1, 0.5, 2])
+    known = (trajectories.Line(), trajectories.Helix(), trajectories.TorusKnot(), trajectories.Bezier())
+    for made in (corner, *known, carrying, spline):
         ob = add("back", curves.from_trajectory(made, "back"))
         (again,) = curves.trajectories(ob)
         assert again.closed == made.closed
         assert again.length() == pytest.approx(made.length(), rel=1e-4)
         ours, theirs = (at_equal_lengths(path) for path in (made, again))
         assert ours == pytest.approx(theirs, abs=1e-3 * made.length())
+        ours, theirs = (path.carried(arc_length(path).parameter([0, path.length() / 3])) for path in (made, again))
+        assert np.array(ours) == pytest.approx(np.array(theirs), abs=1e-2)

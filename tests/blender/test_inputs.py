@@ -27,6 +27,21 @@ def test_edited_curve_is_followed(scene):
     assert extent(ob) == pytest.approx((1, 1, 5))
 
 
+def test_radius_and_tilt_of_a_curve_are_followed(scene):
+    path = straight()
+    ob = sweep(trajectory=path, contour=square())
+    for point in path.data.splines[0].points:
+        point.radius, point.tilt = 2, np.pi / 4
+    update()
+    assert extent(ob) == pytest.approx((2**1.5, 2**1.5, 2))
+    select(path)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.curve.select_all(action="SELECT")
+    bpy.ops.curve.tilt_clear()
+    update()
+    assert extent(ob) == pytest.approx((2, 2, 2))
+
+
 @pytest.mark.parametrize("how", ["hide_set", "hide_viewport", "other collection"])
 def test_edited_curve_is_followed_where_it_is_hidden(scene, how):
     path, profile = straight(), square()

@@ -26,6 +26,8 @@ class Bezier(Chain):
 
     points: Array = parameter(DEFAULT, "Knots with their handles", columns=3, unit="length")
     closed: bool = parameter(False, "The last knot leads back to the first")
+    radii: Array = parameter((), "Scale of the contour at each knot, evenly between them; none: all 1")
+    tilts: Array = parameter((), "Turn of the contour at each knot, evenly between them; none: all 0", unit="angle")
 
     def check(self):
         rest = 0 if self.closed else 1
@@ -39,6 +41,7 @@ class Bezier(Chain):
         cusps = self.cusps()
         if len(cusps):
             raise ShapeError(f"must not turn back on itself, got a cusp at u = {cusps[0]:.6g}", "points")
+        self.check_carried(len(self.segments) + (not self.closed))
 
     def cusps(self):
         """Parameters inside the segments where the derivative passes zero, so that the curve turns back: (c,).

@@ -4,11 +4,13 @@
 
 import numpy as np
 
+from ..parameters import Array, require
 from ..vectors import norms, unit
 from .arc_length import arc_length
 
 SAME_DIRECTION = 1e-6  # radians: tangents closer than this meet smoothly, a corner of a micrometre in a metre
 SHARPEST = np.cos(np.radians(179.99))  # a sharper turn is a reversal: its mitre would be 10,000 contours long
+NONE = Array(())
 
 
 class Trajectory:
@@ -22,9 +24,12 @@ class Trajectory:
         Whether the end is the start again.
     straight : bool
         Whether there is nothing but straight legs between the joints.
+    radii, tilts : Array
+        What the curve itself scales the contour by and turns it by, in radians, at each of its points; empty: 1 and 0.
     """
 
     closed = straight = False
+    radii = tilts = NONE
 
     def evaluate(self, u):
         """Points at parameters u: (n,) to (n, 3) float array, in metres."""
@@ -37,6 +42,30 @@ class Trajectory:
     def joints(self):
         """Parameters between which the curve is smooth, both ends included: (k,) float array."""
         return np.array(self.domain, dtype=float)
+
+    @property
+    def carries(self):
+        """Whether the curve itself scales or turns the contour."""
+        return len(self.radii) > 0 or len(self.tilts) > 0
+
+    def carried(self, u):
+        """The curve's own scale and turn of the contour at parameters u: two (n,)."""
+        return tuple(
+            self.between(given.values, u) if len(given) else np.full(np.shape(u), otherwise)
+            for given, otherwise in ((self.radii, 1.0), (self.tilts, 0.0))
+        )
+
+    def between(self, values, u):
+        """Values at the joints, linear in u between them, as Blender has them."""
+        return np.interp(u, self.joints(), np.append(values, values[:1]) if self.closed else values)
+
+    def check_carried(self, size):
+        """Refuse radii and tilts that are not one a point, and radii below 0."""
+        for key in ("radii", "tilts"):
+            given = len(getattr(self, key))
+            require(given in (0, size), f"must be {size} numbers, one a point", given, key)
+        least = self.radii.values.min(initial=0.0)
+        require(least >= 0, "must all be at least 0", float(least), "radii")
 
     def length(self):
         """The arc length in metres."""

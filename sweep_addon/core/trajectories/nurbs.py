@@ -36,10 +36,15 @@ class Nurbs(Trajectory):
     order: int = count(4, "Degree plus one", minimum=2, maximum=12)
     knots: Array = parameter((), "Knots, as many as points and order, and order - 1 more if closed; none: even")
     closed: bool = parameter(False, "The end is the start again")
+    radii: Array = parameter((), "Scale of the contour at each control point, blended as the points are; none: all 1")
+    tilts: Array = parameter(
+        (), "Turn of the contour at each control point, blended as the points are; none: all 0", unit="angle"
+    )
 
     def check(self):
         size = len(self.points)
         require(self.order <= size, f"must be at most {size}, the number of control points", self.order, "order")
+        self.check_carried(size)
         weights, knots = self.weights.values, self.knots.values
         require(len(weights) in (0, size), f"must be {size} numbers, one a control point", len(weights), "weights")
         require((weights > 0).all(), "must all be more than 0", weights.tolist(), "weights")
@@ -58,9 +63,18 @@ class Nurbs(Trajectory):
     @property
     def control(self):
         """Homogeneous control points (n, 4); those of a closed curve are wrapped round."""
-        weights = self.weights.values if len(self.weights) else np.ones(len(self.points))
-        control = np.column_stack((self.points.values * weights[:, None], weights))
+        return self.weighted(self.points.values)
+
+    def weighted(self, values):
+        """Values (n, k) at the control points times their weights, and the weights."""
+        weights = self.weights.values if len(self.weights) else np.ones(len(values))
+        control = np.column_stack((values * weights[:, None], weights))
         return np.concatenate((control, control[: self.order - 1])) if self.closed else control
+
+    def between(self, values, u):
+        """Values at the control points, blended as these are: (n,)."""
+        total, weight = self.homogeneous(np.asarray(u, dtype=float), 0, False, self.weighted(values[:, None])).T
+        return total / weight
 
     @property
     def knot_vector(self):
@@ -85,7 +99,7 @@ class Nurbs(Trajectory):
 
     def derivative(self, u, order=1, before=False):
         u = np.asarray(u, dtype=float)
-        curve = [self.homogeneous(u, k, before) for k in range(order + 1)]
+        curve = [self.homogeneous(u, k, before, self.control) for k in range(order + 1)]
         weight = curve[0][:, 3:]
         found = []
         for k in range(order + 1):  # Leibniz: (w C)^(k) = A^(k)
@@ -93,12 +107,12 @@ class Nurbs(Trajectory):
             found.append((curve[k][:, :3] - lower) / weight)
         return found[order]
 
-    def homogeneous(self, u, order, before):
-        """A derivative of the homogeneous curve (n, 4), by de Boor's corner cutting of the differences."""
-        control, knots, degree = self.control, self.knot_vector, self.order - 1
+    def homogeneous(self, u, order, before, control):
+        """A derivative of a homogeneous curve (n, k), by de Boor's corner cutting of the differences."""
+        knots, degree = self.knot_vector, self.order - 1
         for _ in range(order):
             if degree == 0:
-                return np.zeros((len(u), 4))
+                return np.zeros((len(u), control.shape[1]))
             gap = (knots[degree + 1 : degree + len(control)] - knots[1 : len(control)])[:, None]
             control = degree * np.diff(control, axis=0) / np.where(gap, gap, np.inf)
             knots, degree = knots[1:-1], degree - 1

@@ -23,6 +23,8 @@ class Polyline(Trajectory):
 
     points: Array = parameter(((0, 0, 0), (0, 0, 1)), "Corners of the path", columns=3, unit="length")
     closed: bool = parameter(False, "The last corner leads back to the first")
+    radii: Array = parameter((), "Scale of the contour at each corner, evenly between them; none: all 1")
+    tilts: Array = parameter((), "Turn of the contour at each corner, evenly between them; none: all 0", unit="angle")
 
     straight = True
 
@@ -35,6 +37,7 @@ class Polyline(Trajectory):
         legs = unit(legs)
         turn = np.einsum("ij,ij->i", legs, np.roll(legs, 1, axis=0))
         self.refuse((turn < SHARPEST)[0 if self.closed else 1 :], "must not turn back on itself", not self.closed)
+        self.check_carried(len(self.points))
 
     def refuse(self, where, sentence, skipped=0):
         """Refuse the first point where something holds; the skipped points are not among those asked."""
