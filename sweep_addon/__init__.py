@@ -37,8 +37,10 @@ LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".
 
 def __getattr__(name):
     # Jobs and Blender are loaded when they are asked for: most scripts need neither.
-    if name not in LATER:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from importlib import import_module
 
+    if name == "__version__":
+        return import_module(".version", __package__).version()
+    if name not in LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(LATER[name], __package__), name)

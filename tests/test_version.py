@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+import sweep_addon as sw
+from sweep_addon.batch.command import main
+
 CHECKOUT = Path(__file__).resolve().parents[1]
 MANIFEST = tomllib.loads((CHECKOUT / "blender_manifest.toml").read_text(encoding="utf-8"))
 
@@ -29,3 +32,9 @@ def test_package_metadata_has_the_version():
 def test_manifest_keeps_to_the_platform_s_limits():
     assert len(MANIFEST["tagline"]) <= 64
     assert all(len(reason) <= 64 and not reason.endswith(".") for reason in MANIFEST["permissions"].values())
+
+
+def test_the_library_and_the_command_line_say_it(capsys):
+    assert sw.__version__ == MANIFEST["version"]
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"sweep {MANIFEST['version']}\n"

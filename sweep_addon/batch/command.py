@@ -10,6 +10,7 @@ import argparse
 import sys
 
 from ..core.parameters import ShapeError
+from ..version import version
 from . import verbs
 from .export import MODELS, PICTURES, silent
 
@@ -26,6 +27,7 @@ class Parser(argparse.ArgumentParser):
 def parser():
     """The verbs and what each may be told."""
     made = Parser(prog="sweep", description="Shapes made by moving a generator along a trajectory, from job files.")
+    made.add_argument("--version", action="version", version=f"sweep {version()}")
     commands = made.add_subparsers(metavar="VERB", required=True)
 
     build = commands.add_parser("build", help="write a shape as a model", description=verbs.build.__doc__)

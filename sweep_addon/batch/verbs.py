@@ -119,7 +119,7 @@ def table(name, kind):
 
 
 def run_many(verb, told, frame=0):
-    """Do many jobs, each in a process of its own, and go on where the last run stopped."""
+    """Do many jobs, each in a process of its own, and go on where the last run stopped; wrong ones stop no others."""
     require(not told.output and told.parallel >= 1, "must be at least 1", told.parallel, "parallel")
     understood, refused = [], 0
     for path in told.jobs:
@@ -128,21 +128,19 @@ def run_many(verb, told, frame=0):
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
             refused = max(refused, code_of(refusal))
-    if refused:
-        return refused
     folder = Path(told.output_dir).absolute()
     tasks = plan(verb, understood, folder, f".{told.format}", version(), frame)
     folder.mkdir(parents=True, exist_ok=True)
-    failed = 0
+    code = refused
     with ThreadPoolExecutor(max_workers=told.parallel) as executor:
         for number, result in enumerate(run(tasks, program(told.arguments), executor, told.again), 1):
             tell(f"{number} of {len(tasks)}: {Path(result.task.output).name} {result.state}")
             if result.state == "failed":
                 sys.stderr.write(f"{result.task.job}: {result.sentence}\n")
-                failed = 1
+                code = code or 1
             else:
                 say(result.task.output)
-    return failed
+    return code
 
 
 def program(arguments):

@@ -15,7 +15,6 @@ import pytest
 import sweep_addon as sw
 from sweep_addon.batch import verbs
 from sweep_addon.batch.command import main
-from sweep_addon.batch.run import Result
 
 CHECKOUT = Path(__file__).parents[2]
 TUBE = sw.GeneralizedCylinder(
@@ -300,32 +299,3 @@ def test_a_folder_that_was_there_stays(scene, job):
     (theirs / "kept.txt").write_text("kept")
     assert main(["build", str(job), "--output", str(job.with_suffix(".stl"))]) == 0
     assert (theirs / "kept.txt").read_text() == "kept"
-
-
-def test_one_picture_of_many_turns(scene, job, capsys, monkeypatch):
-    monkeypatch.setattr(verbs, "run", lambda tasks, *_: [Result(task, "done") for task in tasks])
-    job.write_text(job.read_text() + "frames = 4\n")
-    folder = job.with_name("out")
-    assert main(["render", str(job), "--output-dir", str(folder), "--frame", "5"]) == 2
-    assert capsys.readouterr().err == "frame: must be from 1 to 4, the pictures of tube.toml, got 5\n"
-    assert not folder.exists()
-    assert main(["render", str(job), str(job), "--output-dir", str(folder), "--frame", "3"]) == 0
-    assert capsys.readouterr().out == f"{folder / 'tube_0003.png'}\n"
-
-
-def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monkeypatch):
-    need_module()
-    monkeypatch.chdir(CHECKOUT)
-    monkeypatch.setattr(verbs, "program", lambda arguments: (sys.executable, "-m", "sweep_addon"))
-    other = job.with_name("other.toml")
-    other.write_text(job.read_text())
-    folder = job.parent / "out"
-    line = ["build", str(job), str(other), "--output-dir", str(folder), "--format", "stl", "--parallel", "2"]
-    assert main(line) == 0
-    assert sorted(capsys.readouterr().out.split()) == [str(folder / "other.stl"), str(folder / "tube.stl")]
-    times = {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")}
-    assert main(line) == 0 and {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")} == times
-    other.write_text(job.read_text() + "ground = false\n")
-    assert main(line) == 0
-    changed = {path.name for path in folder.glob("*.stl") if path.stat().st_mtime_ns != times[path]}
-    assert changed == {"other.stl"}

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many jobs at once: each its own output, and a wrong one stops no others."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import sweep_addon as sw
+from sweep_addon.batch import verbs
+from sweep_addon.batch.command import main
+from sweep_addon.batch.run import Result
+
+CHECKOUT = Path(__file__).parents[2]
+PRISM = sw.GeneralizedCylinder(sw.contours.Rectangle(width=0.5, height=0.25), sw.trajectories.Line(end=(0, 0, 2)))
+
+
+@pytest.fixture
+def job(tmp_path):
+    path = tmp_path / "tube.toml"
+    path.write_text(sw.dump(PRISM) + "\n[render]\n")
+    return path
+
+
+def test_one_picture_of_many_turns(scene, job, capsys, monkeypatch):
+    monkeypatch.setattr(verbs, "run", lambda tasks, *_: [Result(task, "done") for task in tasks])
+    job.write_text(job.read_text() + "frames = 4\n")
+    folder = job.with_name("out")
+    assert main(["render", str(job), "--output-dir", str(folder), "--frame", "5"]) == 2
+    assert capsys.readouterr().err == "frame: must be from 1 to 4, the pictures of tube.toml, got 5\n"
+    assert not folder.exists()
+    assert main(["render", str(job), str(job), "--output-dir", str(folder), "--frame", "3"]) == 0
+    assert capsys.readouterr().out == f"{folder / 'tube_0003.png'}\n"
+
+
+def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monkeypatch):
+    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
+        pytest.skip("this host's Python is started by Blender alone")
+    monkeypatch.chdir(CHECKOUT)
+    monkeypatch.setattr(verbs, "program", lambda arguments: (sys.executable, "-m", "sweep_addon"))
+    other = job.with_name("other.toml")
+    other.write_text(job.read_text())
+    folder = job.parent / "out"
+    line = ["build", str(job), str(other), "--output-dir", str(folder), "--format", "stl", "--parallel", "2"]
+    assert main(line) == 0
+    assert sorted(capsys.readouterr().out.split()) == [str(folder / "other.stl"), str(folder / "tube.stl")]
+    times = {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")}
+    assert main(line) == 0 and {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")} == times
+    other.write_text(job.read_text() + "ground = false\n")
+    assert main(line) == 0
+    changed = {path.name for path in folder.glob("*.stl") if path.stat().st_mtime_ns != times[path]}
+    assert changed == {"other.stl"}
+
+
+def test_a_wrong_job_is_told_of_and_the_others_are_done(scene, job, capsys, monkeypatch):
+    monkeypatch.setattr(verbs, "run", lambda tasks, *_: [Result(task, "done") for task in tasks])
+    wrong, folder = job.with_name("wrong.toml"), job.with_name("out")
+    wrong.write_text("kind = 3")
+    assert main(["build", str(wrong), str(job), "--output-dir", str(folder)]) == 2
+    said = capsys.readouterr()
+    assert said.out == f"{folder / 'tube.blend'}\n"
+    assert said.err.startswith(f"{wrong}:1: kind: must be ") and said.err.count("\n") == 1
