@@ -4,9 +4,11 @@
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from math import gcd
 
 import numpy as np
 
+from .contours.symmetry import ALIKE
 from .ends import Taper
 from .laws import Constant, Law
 from .parameters import LARGEST, ShapeError, at, require
@@ -29,6 +31,8 @@ class Along:
     scale_x, scale_y, twist, offset_x, offset_y : Law
     tapers : tuple of two float
         Lengths in metres over which the contour grows from a point at the start and shrinks to one at the end; 0: none.
+    spin : float
+        The angle in radians that the frame adds from the start to the end: only stations ask for it.
     """
 
     trajectory: object
@@ -38,14 +42,18 @@ class Along:
     offset_x: Law = Constant(0.0)
     offset_y: Law = Constant(0.0)
     tapers: tuple = (0.0, 0.0)
+    spin: float = 0.0
 
     @property
     def is_constant(self):
-        return not self.trajectory.carries and all(getattr(self, key).is_constant for key in LAWS)
+        still = not self.spin and not self.trajectory.carries
+        return still and all(getattr(self, key).is_constant for key in LAWS)
 
     def unchanging(self):
-        """The same for all laws that are constant, whose values do not move the stations."""
-        return replace(self, **dict.fromkeys(LAWS, Constant(1.0))) if self.is_constant else self
+        """The same for all laws whose values do not move the stations."""
+        if self.is_constant:
+            return replace(self, **dict.fromkeys(LAWS, Constant(1.0)))
+        return replace(self, twist=Constant(0.0)) if self.twist.is_constant else self
 
     def at(self, s, u=None):
         """The values of `LAWS` at arc lengths, or at parameters known: five (n,), in radians and metres.
@@ -90,9 +98,21 @@ class Along:
     @property
     def largest(self):
         """The largest scale anywhere along the trajectory."""
+        return float(np.abs(self.everywhere()[:2]).max())
+
+    def everywhere(self):
+        """The values of `LAWS` all along the trajectory, those of constant ones once: five (n,)."""
         if self.is_constant:
-            return max(float(np.abs(law.evaluate(*np.zeros((3, 1)))[0])) for law in (self.scale_x, self.scale_y))
-        return float(np.abs(searched(self)[1:3]).max())
+            return tuple(getattr(self, key).evaluate(*np.zeros((3, 1))) for key in LAWS)
+        return searched(self)[1:]
+
+    def symmetry(self, section):
+        """In how many turns a section is mapped to itself as the laws leave it: a stretched one by a half at most."""
+        scale_x, scale_y, _, *offset = self.everywhere()
+        if np.any(offset):
+            return 1
+        alike = np.abs(np.abs(scale_x) - np.abs(scale_y)).max() <= ALIKE * self.largest
+        return section.symmetry if alike else gcd(section.symmetry, 2)
 
     def crossings(self):
         """Arc lengths where the scale along e2 passes zero, by bisection of all of them at once."""
@@ -129,6 +149,7 @@ class Along:
 
         def steps(s, chord):
             scale_x, scale_y, twist, *offset = self.at(s)
+            twist = twist + self.spin / s[-1] * s
             rate, size = np.gradient(twist, s), np.maximum(np.abs(scale_x), np.abs(scale_y))
             change = np.abs(slopes((scale_x, scale_y), s)[1]).sum(axis=0)
             bend = reach * (size * rate**2 + change)
@@ -138,21 +159,28 @@ class Along:
 
         return steps
 
-    def check_closed(self):
-        """On a closed trajectory every law must come back to where it began, the twist by whole turns."""
+    def grown(self, symmetry):
+        """By how many parts of a turn, of which so many are a whole one, the twist grows along a closed trajectory.
+
+        Raises
+        ------
+        ShapeError
+            Where they are not whole, or another law does not come back to where it began.
+        """
         if self.is_constant:
-            return
-        measure = arc_length(self.trajectory)
-        ends = dict(zip(LAWS, self.at(np.array([0.0, measure.total])), strict=True))
+            return 0
+        ends = dict(zip(LAWS, self.at(np.array([0.0, arc_length(self.trajectory).total])), strict=True))
         begun, ended = ends.pop("twist")
-        farthest = float(np.abs(searched(self)[4:]).max())
+        farthest = float(np.abs(self.everywhere()[3:]).max())
         for key, (first, last) in ends.items():
             same = abs(last - first) <= 1e-9 * (self.largest if key in ("scale_x", "scale_y") else farthest)
             require(same, f"must be the same at both ends of a closed trajectory, {first:g}", float(last), key)
         turns = (ended - begun) / (2 * np.pi)
-        whole = abs(turns - np.round(turns)) <= 1e-9
-        if not whole:
-            raise ShapeError(f"must grow by whole turns along a closed trajectory, got {turns:.9g} turns", "twist")
+        whole = round(turns * symmetry)
+        if abs(turns - whole / symmetry) > 1e-9:
+            step = f"multiples of 1/{symmetry} turn" if symmetry > 1 else "whole turns"
+            raise ShapeError(f"must grow by {step} along a closed trajectory, got {turns:.9g} turns", "twist")
+        return whole
 
 
 def tapers(start, end):

@@ -3,7 +3,8 @@
 """Frames along a trajectory: the local axes e1 e2 e3 in which a contour is placed.
 
 A frame is one scalar: the angle of e2 about the tangent, measured from the rotation-minimizing normal. Twist, holonomy
-and extra turns are all added to it.
+and extra turns are all added to it. Round a closed trajectory it grows by whole sectors, the least turns that map the
+contour to itself, of which there are ``symmetry`` in a whole one.
 """
 
 from enum import Enum
@@ -38,14 +39,39 @@ class RotationMinimizing:
     """
 
     extra_turns: int = parameter(0, "Whole turns added along the trajectory", minimum=-1000, maximum=1000)
+    extra_sectors: int = parameter(
+        0, "Least turns added that map the contour to itself: quarters for a square", minimum=-4096, maximum=4096
+    )
 
-    def angles(self, stations, normals, holonomy):
+    def extra(self, symmetry):
+        """The angle in radians that is added from the start to the end."""
+        return tau * (self.extra_turns + self.extra_sectors / symmetry)
+
+    def grown(self, holonomy, symmetry):
+        """The angle of e2 from the rotation-minimizing normal at the end, where it is 0 at the start."""
+        return self.extra(symmetry) - wrapped(holonomy, tau / symmetry)
+
+    def angles(self, stations, normals, holonomy, symmetry):
         """The angle of e2 from the rotation-minimizing normals, (n,), and what a person should be told."""
-        return (self.extra_turns * tau - wrapped(holonomy)) * stations.t, ()
+        return self.grown(holonomy, symmetry) * stations.t, ()
+
+
+class OfItsPlace:
+    """What frames share that the place on the trajectory decides: they come back as they began."""
+
+    extra_sectors = 0
+
+    def extra(self, symmetry):
+        """Nothing is added from the start to the end."""
+        return 0.0
+
+    def grown(self, holonomy, symmetry):
+        """The angle of e2 from the rotation-minimizing normal when it is back, but for whole turns."""
+        return -holonomy
 
 
 @declared
-class Frenet:
+class Frenet(OfItsPlace):
     """Towards the centre of curvature
 
     >>> from sweep_addon.core.sampling import Count, place
@@ -58,7 +84,7 @@ class Frenet:
 
     continuation: Continuation = parameter(Continuation.SMOOTH, "What to do where the curvature vanishes")
 
-    def angles(self, stations, normals, holonomy):
+    def angles(self, stations, normals, holonomy, symmetry):
         """The angle of the principal normal from the rotation-minimizing normals, (n,), and a warning."""
         bend, corners = stations.bend.copy(), stations.corners
         bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
@@ -83,7 +109,7 @@ class Frenet:
 
 
 @declared
-class FixedUp:
+class FixedUp(OfItsPlace):
     """As level as the tangent allows: the contour's y axis points up, until the trajectory goes over the vertical
 
     >>> from sweep_addon.core.sampling import Count, place
@@ -98,7 +124,7 @@ class FixedUp:
     def check(self):
         require(np.linalg.norm(self.up) > 0, "must have a length", list(self.up), "up")
 
-    def angles(self, stations, normals, holonomy):
+    def angles(self, stations, normals, holonomy, symmetry):
         """The angle of the level normal from the rotation-minimizing normals, (n,), and a warning."""
         level = np.cross(unit(np.array(self.up)[None]), stations.leave)
         defined = np.linalg.norm(level, axis=1) > 1e-6
@@ -115,7 +141,7 @@ class FixedUp:
 Frame = RotationMinimizing | Frenet | FixedUp
 
 
-def axes(frame, stations, twist):
+def axes(frame, stations, twist, symmetry=1):
     """The axes in which the contour is drawn at each station.
 
     Parameters
@@ -124,6 +150,8 @@ def axes(frame, stations, twist):
     stations : Stations
     twist : (n,) float array
         An angle in radians about the tangent, added to the frame's own.
+    symmetry : int
+        The parts of a whole turn by any of which a closed frame may come back turned.
 
     Returns
     -------
@@ -133,7 +161,7 @@ def axes(frame, stations, twist):
         Sentences for people, where the frame is not defined somewhere.
     """
     normals, holonomy = rotation_minimizing(stations)
-    angles, told = frame.angles(stations, normals, holonomy)
+    angles, told = frame.angles(stations, normals, holonomy, symmetry)
     e2, corners = rotated(normals, stations.leave, angles + twist), stations.corners
     e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
     return e2, np.cross(stations.tangent, e2), told

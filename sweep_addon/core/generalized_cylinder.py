@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from . import caps
+from . import caps, closing
 from .along import Along, tapers, tips
 from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour
@@ -83,12 +83,11 @@ class GeneralizedCylinder:
         ShapeError
             Where a law is not finite or leaves no area, or where there would be too many vertices.
         """
-        section, closed, told = self.contour.section(), self.trajectory.closed, ()
+        section, closed, told = section_of(self.contour), self.trajectory.closed, ()
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
         if closed and (isinstance(self.start, Taper) or isinstance(self.end, Taper)):
             told += ("Ends: a closed trajectory has none, so nothing tapers.",)
-        laws = (self.scale_x, self.scale_y, self.twist, self.offset_x, self.offset_y)
-        along = Along(self.trajectory, *laws, tapers(*ends))
+        along, symmetry = self.along(section, ends)
         reach = float(np.linalg.norm(section.points, axis=1).max())
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         vertices = len(stations.s) * len(section.points)
@@ -96,10 +95,8 @@ class GeneralizedCylinder:
 
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)
-        e2, e3, said = axes(self.frame, stations, twist)
-        rings = np.stack((across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]))
-        rings[:, stations.corners] = mitred(stations, rings[:, stations.corners])
-        rings[0] += stations.points
+        e2, e3, said = axes(self.frame, stations, twist, symmetry)
+        rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
         reach, least = reach * along.largest, ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
         backward, warned = running_backward(stations, rings[0]) if np.any(offset) else (False, ())
@@ -116,6 +113,7 @@ class GeneralizedCylinder:
                 caps.faces(section) if isinstance(end, Flat) and not (closed or points[station]) else None
                 for end, station in zip(ends, (0, -1), strict=True)
             ),
+            seam=closing.seam(section, closing.sectors(self.frame, along, symmetry), symmetry) if closed else (),
         )
         scales = np.stack((scale_x, scale_y), axis=1)
         chart = Chart(
@@ -130,14 +128,25 @@ class GeneralizedCylinder:
         )
         return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said + warned)
 
+    def along(self, section, ends):
+        """The laws of the sweep, and in how many turns the section is mapped to itself as they leave it."""
+        with at("trajectory"):
+            arc_length(self.trajectory)
+        laws = (self.scale_x, self.scale_y, self.twist, self.offset_x, self.offset_y)
+        along = Along(self.trajectory, *laws, tapers(*ends))
+        symmetry = along.symmetry(section) if self.trajectory.closed or self.frame.extra_sectors else 1
+        return replace(along, spin=self.frame.extra(symmetry)), symmetry
+
+
+@lru_cache(maxsize=16)
+def section_of(contour):
+    """The section of a contour, made once for equal ones, and with it what is known of it."""
+    return contour.section()
+
 
 @lru_cache(maxsize=16)
 def stand(samples, along, reach):
     """The stations of a sweep, the same for all contours of one reach."""
-    with at("trajectory"):
-        arc_length(along.trajectory)
-    if along.trajectory.closed:
-        along.check_closed()
     return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
 
 
@@ -145,6 +154,14 @@ def creases(stations):
     """The stations where a mitre turns so much that it is an edge."""
     turn = np.einsum("ij,ij->i", stations.arrive[stations.corners], stations.leave[stations.corners])
     return tuple(stations.corners[turn < CREASE].tolist())
+
+
+def placed(stations, aside, x, y):
+    """The middle of each contour and its axes as they are drawn, mitred at the corners: (3, n, 3)."""
+    rings = np.stack((aside, x, y))
+    rings[:, stations.corners] = mitred(stations, rings[:, stations.corners])
+    rings[0] += stations.points
+    return rings
 
 
 def across(offset, e2, e3):
@@ -169,6 +186,7 @@ def running_backward(stations, centres):
     )
 
 
+@lru_cache(maxsize=16)
 def mirror(section):
     """The section seen in a mirror along y, its area on the left again."""
     flipped = replace(section, points=section.points * (-1, 1))

@@ -40,6 +40,8 @@ class Grid:
         The columns that are edges.
     caps : tuple of two ((tuple of int, tuple of int) or None)
         The faces that close the start and the end: point numbers of the section, and where each face starts.
+    seam : tuple of int
+        The column of the first ring that each column of the last one leads to; empty where each leads to itself.
     """
 
     rings: int
@@ -49,6 +51,7 @@ class Grid:
     offsets: tuple
     sharp: tuple
     caps: tuple
+    seam: tuple = ()
 
     @property
     def columns(self):
@@ -91,11 +94,16 @@ def build(grid):
     offsets = face_offsets(grid, points, [sizes for *_, sizes in caps])
     material = np.full(len(offsets) - 1, CAP, np.int32)
     material[: columns * len(pairs)] = SIDE
+    corners = laid(grid, points, *(corners for corners, *_ in caps))
+    edges = laid(grid, (along, around), inner.ravel()).reshape(-1, 2)
+    corner_edges = laid(grid, used, *(edges for _, edges, _ in caps))
+    if grid.seam:
+        lead_aside(grid, corners, edges, corner_edges)
     return Topology(
-        corners=laid(grid, points, *(corners for corners, *_ in caps)),
+        corners=corners,
         offsets=offsets,
-        edges=laid(grid, (along, around), inner.ravel()).reshape(-1, 2),
-        corner_edges=laid(grid, used, *(edges for _, edges, _ in caps)),
+        edges=edges,
+        corner_edges=corner_edges,
         sharp=sharp_edges(grid, len(pairs), len(inner)),
         material=material,
         name=blake2b(repr(grid).encode(), digest_size=8).hexdigest(),
@@ -185,6 +193,20 @@ def side_faces(grid, stride, position):
     yield blocks(quads, ("own", "low", "low"), ("next", "low", "up"), third, fourth)
     yield blocks(cones, ("own", "low", "low"), ("next", "low", "up"), fourth)
     yield blocks(funnels, ("own", "low", "up"), third, fourth)
+
+
+def lead_aside(grid, corners, edges, corner_edges):
+    """Lead the columns of the last ring to those of the first that the seam says, unless one of the two is a tip."""
+    pairs, below, above = grid.bands()
+    if below[-1] or above[-1]:
+        return
+    columns, bands, rings = grid.columns, len(pairs), len(grid.whole)
+    seam = np.array(grid.seam, np.int32)
+    quads = np.count_nonzero(~below & ~above)
+    first, used = (part[: 4 * columns * quads].reshape(columns, quads, 4)[:, -1] for part in (corners, corner_edges))
+    first[:, 2], first[:, 3] = seam[grid.following] * rings, seam * rings
+    used[:, 2] = columns * bands + seam * rings
+    edges[: columns * bands].reshape(columns, bands, 2)[:, -1, 1] = seam * rings
 
 
 def cap_faces(grid, stride, position):

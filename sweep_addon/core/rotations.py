@@ -40,6 +40,6 @@ def rotated(normals, axis, angle):
     return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * np.cross(axis, normals)
 
 
-def wrapped(angle):
-    """An angle between minus and plus half a turn."""
-    return (angle + tau / 2) % tau - tau / 2
+def wrapped(angle, period=tau):
+    """An angle between minus and plus half a turn, or half of another period."""
+    return (angle + period / 2) % period - period / 2

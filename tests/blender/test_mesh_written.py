@@ -36,6 +36,7 @@ SHAPES = {
     "hole, corner": shape(WASHER, CORNER),
     "closed": shape(sw.contours.Circle(0.1), KNOT),
     "closed with a hole": shape(WASHER, WIDE_KNOT, contours=1000),
+    "closed with a turn": shape(sw.contours.Rectangle(0.1, 0.1), KNOT, contours=400, twist="pi/2*t"),
     "triangles": shape(sw.contours.Circle(0.2, points=3), LINE),
 }
 

@@ -164,7 +164,16 @@ SHAPES = {  # refused when the shape is made, or its mesh
         "trajectory": TorusKnot(), "scale_y": "1+t"
     },
     "twist: must grow by whole turns along a closed trajectory, got 0.5 turns": {
-        "trajectory": TorusKnot(), "twist": "pi*t"
+        "contour": Outline(), "trajectory": TorusKnot(), "twist": "pi*t"
+    },
+    "twist: must grow by whole turns along a closed trajectory, got 1.5 turns": {
+        "trajectory": TorusKnot(), "twist": "3*pi*t", "offset_y": 0.1
+    },
+    "twist: must grow by multiples of 1/4 turn along a closed trajectory, got 0.125 turns": {
+        "contour": Rectangle(1, 1), "trajectory": TorusKnot(), "twist": "pi/4*t"
+    },
+    "twist: must grow by multiples of 1/2 turn along a closed trajectory, got -0.25 turns": {
+        "contour": Rectangle(1, 1), "trajectory": TorusKnot(), "twist": "-pi/2*t", "scale_x": "1 + 0.1*sin(2*pi*t)"
     },
     "start.length: must be more than 0, got 0": {"start": taper(0)},
     "end.length: must be at most 1, what is left of the trajectory, got 2": {"trajectory": Line(), "end": taper(2)},

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from solids import GLYPHS
+from solids import GLYPHS, ngon
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.ends import Open, Taper
@@ -30,6 +30,10 @@ SHAPES = {
     ),
     "pencil": GeneralizedCylinder(Circle(0.1, points=6), Line(), Count(2), start=Open(), end=Taper(0.3)),
     "cone": GeneralizedCylinder(Circle(0.1, points=3), Line(), Count(2), end=Taper(1.0)),
+    "one side": GeneralizedCylinder(Rectangle(0.2, 0.1), TorusKnot(1, 1), Count(9), twist="pi*t"),
+    "one side and a hole": GeneralizedCylinder(
+        Outline([ngon((0, 0), 0.3, 6), ngon((0, 0), 0.1, 3)]), TorusKnot(1, 1), Count(9), twist="-2*pi/3*t"
+    ),
     "mirrored": GeneralizedCylinder(GLYPHS["B"][0], Polyline(RIDGE), scale_x=-0.5),
 }
 SHAPES["two"] = None
@@ -112,7 +116,7 @@ def test_textures_of_a_bent_tube_are_as_long_as_its_trajectory():
     assert stretch.max() / stretch.min() < 1.001 * (1 + 0.01 * 4) / (1 - 0.01 * 4)  # radius times curvature under 4
 
 
-@pytest.mark.parametrize("name", ["tube", "open", "glyphs", "ring", "mirrored"])
+@pytest.mark.parametrize("name", ["tube", "open", "glyphs", "ring", "one side", "one side and a hole", "mirrored"])
 def test_the_seam_runs_along_edges_one_for_each_loop(name):
     """A texture is torn only where a loop begins, where a closed trajectory does, and round the caps."""
     mesh, shape = mesh_of(name), SHAPES[name]

@@ -13,7 +13,7 @@ def turned_onto(section, turns):
     Parameters
     ----------
     section : Section
-    turns : int
+    turns : float
         The section is turned by 2 pi / turns, counter-clockwise, about the reference point.
 
     Returns
