@@ -40,7 +40,7 @@ def __getattr__(name):
     from importlib import import_module
 
     if name == "__version__":
-        return import_module(".version", __package__).version()
+        return import_module(".core.version", __package__).version()
     if name not in LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(LATER[name], __package__), name)

@@ -10,7 +10,7 @@ import argparse
 import sys
 
 from ..core.parameters import ShapeError
-from ..version import version
+from ..core.version import version
 from . import verbs
 from .export import MODELS, PICTURES, silent
 

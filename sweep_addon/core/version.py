@@ -6,7 +6,7 @@ import tomllib
 from importlib import metadata
 from pathlib import Path
 
-MANIFEST = Path(__file__).parents[1] / "blender_manifest.toml"
+MANIFEST = Path(__file__).parents[2] / "blender_manifest.toml"
 
 
 def version():
