@@ -10,6 +10,7 @@ import numpy as np
 
 from .contours.symmetry import ALIKE
 from .ends import Taper
+from .frames import turn
 from .laws import Constant, Law
 from .parameters import LARGEST, ShapeError, at, require
 from .sampling import WIDEST_TURN
@@ -33,6 +34,8 @@ class Along:
         Lengths in metres over which the contour grows from a point at the start and shrinks to one at the end; 0: none.
     spin : float
         The angle in radians that the frame adds from the start to the end: only stations ask for it.
+    frame : Frenet, FixedUp or None
+        A frame that turns about the tangent as the trajectory's places say: again only stations ask for it.
     """
 
     trajectory: object
@@ -43,10 +46,11 @@ class Along:
     offset_y: Law = Constant(0.0)
     tapers: tuple = (0.0, 0.0)
     spin: float = 0.0
+    frame: object = None
 
     @property
     def is_constant(self):
-        still = not self.spin and not self.trajectory.carries
+        still = not self.spin and self.frame is None and not self.trajectory.carries
         return still and all(getattr(self, key).is_constant for key in LAWS)
 
     def unchanging(self):
@@ -141,7 +145,7 @@ class Along:
         return middle[np.abs(self.at(middle)[0]) <= NOTHING * size.max()] if len(low) else middle
 
     def density(self, reach):
-        """Steps per metre that the laws ask for, as a function of arc length and chord tolerance.
+        """Steps per metre that laws and frame ask for, as a function of arc length and chord tolerance.
 
         The outermost point of the contour, ``reach`` metres out, bends by reach * twist'^2 and reach * scale'', and
         with the reference point on its way beside the trajectory.
@@ -150,6 +154,8 @@ class Along:
         def steps(s, chord):
             scale_x, scale_y, twist, *offset = self.at(s)
             twist = twist + self.spin / s[-1] * s
+            if self.frame is not None:
+                twist += np.interp(s, *turn(self.frame, self.trajectory))
             rate, size = np.gradient(twist, s), np.maximum(np.abs(scale_x), np.abs(scale_y))
             change = np.abs(slopes((scale_x, scale_y), s)[1]).sum(axis=0)
             bend = reach * (size * rate**2 + change)

@@ -13,11 +13,15 @@ from math import tau
 
 import numpy as np
 
+from . import sampling
 from .parameters import ShapeError, declared, parameter, require
 from .rotations import rotated, signed_angle, turned, wrapped
+from .trajectories.arc_length import arc_length
 from .transport import transport
 from .vectors import unit
 
+PLACES = 2049  # where it is looked at how a frame turns
+JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
 
@@ -165,6 +169,34 @@ def axes(frame, stations, twist, symmetry=1):
     e2, corners = rotated(normals, stations.leave, angles + twist), stations.corners
     e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
     return e2, np.cross(stations.tangent, e2), told
+
+
+@lru_cache(maxsize=16)
+def turn(frame, trajectory):
+    """How a frame turns beside the rotation-minimizing one.
+
+    Parameters
+    ----------
+    frame : Frenet or FixedUp
+    trajectory : Trajectory
+
+    Returns
+    -------
+    s : (n,) float array
+        Arc lengths in metres, evenly spaced from end to end.
+    angle : (n,) float array
+        What it has turned about the tangent by then, in radians, jumps left out. Opposite sides count as one, as the
+        frame goes on with either after an inflection.
+    """
+    s = np.linspace(0.0, arc_length(trajectory).total, PLACES)
+    placed = sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
+    normals, holonomy = rotation_minimizing(placed)
+    angles = frame.angles(placed, normals, holonomy, 1)[0]
+    if trajectory.closed:
+        angles = np.append(angles, angles[0] - holonomy)
+    steps = wrapped(np.diff(angles), tau / 2)
+    steps[np.abs(steps) > JUMP] = 0.0
+    return s, np.concatenate(([0.0], np.cumsum(steps)))
 
 
 @lru_cache(maxsize=16)

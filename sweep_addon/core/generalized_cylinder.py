@@ -135,7 +135,8 @@ class GeneralizedCylinder:
         laws = (self.scale_x, self.scale_y, self.twist, self.offset_x, self.offset_y)
         along = Along(self.trajectory, *laws, tapers(*ends))
         symmetry = along.symmetry(section) if self.trajectory.closed or self.frame.extra_sectors else 1
-        return replace(along, spin=self.frame.extra(symmetry)), symmetry
+        placed = None if isinstance(self.frame, RotationMinimizing) else self.frame
+        return replace(along, spin=self.frame.extra(symmetry), frame=placed), symmetry
 
 
 @lru_cache(maxsize=16)

@@ -7,7 +7,9 @@ from math import fsum, pi
 import numpy as np
 import pytest
 
+from sweep_addon.core.contours import Rectangle
 from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing, axes, rotation_minimizing
+from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.rotations import turned
 from sweep_addon.core.sampling import Count, Tolerance, place, stations
@@ -232,6 +234,19 @@ def test_fixed_up_that_cannot_close_level_turns_in_one_step_only():
     placed, e2, _, told = framed(FixedUp(up), KNOT, Count(2000))
     twist = np.abs(twists(KNOT, placed, e2))
     assert (twist > 0.5).sum() <= 2 and told
+
+
+@pytest.mark.parametrize("frame", [FixedUp(), Frenet()])
+@pytest.mark.parametrize("chord", [1e-2, 1e-3, 1e-4])
+def test_contours_stand_as_close_as_the_turn_of_the_frame_asks(frame, chord):
+    """Up a post, and off to another side: on the post a corner of the contour goes round it as on a cylinder."""
+    knots = [(-1.4, 0, 0), (-0.8, 0, 0), (0, 0, 0), (0, 0, 0.6), (0, 0, 0.9), (0, 0, 1.2), (0, 0, 1.5), (0, 0, 2.1)]
+    path = Bezier([*knots, (0, 0.8, 2.1), (0, 1.4, 2.1)])
+    mesh = GeneralizedCylinder(Rectangle(0.5, 0.1), path, Tolerance(chord), frame).mesh()
+    corner = mesh.vertices[: mesh.rings]
+    corner = corner[(corner[:, 2] > 0.62) & (corner[:, 2] < 1.48), :2]
+    assert len(corner) > 2
+    assert np.hypot(0.25, 0.05) - np.hypot(*(corner[1:] + corner[:-1]).T / 2).min() < chord
 
 
 @pytest.mark.parametrize(
