@@ -99,7 +99,7 @@ class GeneralizedCylinder:
         rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
         reach, least = reach * along.largest, ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
-        backward, warned = running_backward(stations, rings[0]) if np.any(offset) else (False, ())
+        backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
         if mirrored != backward:
             section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
         grid = Grid(
@@ -171,19 +171,22 @@ def across(offset, e2, e3):
     return e2 * x[:, None] + e3 * y[:, None] if x.any() or y.any() else np.zeros_like(e2)
 
 
-def running_backward(stations, centres):
-    """Whether contours beside the trajectory, beyond its centres of curvature, run backward; and a warning if some do.
+def running_backward(stations, rings, centroid, moved):
+    """Whether the middles of the contours, beyond the centres of curvature, run backward; and a warning if some do.
 
     Where all do, the surface is that of a sweep the other way.
     """
+    if not moved and np.linalg.norm(centroid) * np.abs(rings[1:]).max() <= ROUNDING * stations.total:
+        return False, ()
+    middles = rings[0] + centroid[0] * rings[1] + centroid[1] * rings[2]
     ahead, here = stations.onward, slice(len(stations.onward))
-    steps = centres[ahead] - centres[here]
+    steps = middles[ahead] - middles[here]
     back = np.einsum("ij,ij->i", steps, stations.leave[here] + stations.arrive[ahead]) < 0
     if not back.any() or back.all():
         return bool(back.all()), ()
     place = stations.u[np.argmax(back)]
     return False, (
-        f"Offset: near u = {place:.4g} it goes beyond the centre of curvature, and the sweep runs back through itself.",
+        f"Contour: near u = {place:.4g} it is beyond the centre of curvature, and the sweep runs back through itself.",
     )
 
 

@@ -89,7 +89,7 @@ def trajectories(draw):
     )
 
 
-FRAMES = st.sampled_from([RotationMinimizing(), RotationMinimizing(2), Frenet(), FixedUp(), FixedUp((1, 2, 3))])
+FRAMES = st.sampled_from([RotationMinimizing(), RotationMinimizing(2, -1), Frenet(), FixedUp(), FixedUp((1, 2, 3))])
 ENDS = st.one_of(st.just(Flat()), st.just(Open()), st.builds(Taper, numbers(0.05, 0.2)))
 SAMPLES = st.one_of(st.builds(Tolerance, numbers(1e-3, 0.1)), st.builds(Count, st.integers(60, 150)))
 

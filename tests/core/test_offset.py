@@ -54,9 +54,20 @@ def test_a_ring_has_the_volume_of_pappus(contour, offset):
         assert mesh.told == ()
 
 
+@pytest.mark.parametrize("centre", [-5.0, -1.0, 1.0])
+@pytest.mark.parametrize("laws", [{}, {"scale_x": -1.0}, {"offset_x": 0.5}])
+def test_a_contour_drawn_beyond_the_axis_looks_outwards_as_well(centre, laws):
+    contour = Outline([box((centre - 0.2, -0.1), (centre + 0.2, 0.5))])
+    mesh = GeneralizedCylinder(contour, RING, Count(64), **laws).mesh()
+    middle = 2 + laws.get("scale_x", 1) * centre + laws.get("offset_x", 0)
+    assert mesh.volume() == pytest.approx(0.24 * 64 * sin(tau / 64) * abs(middle), rel=1e-11)
+    assert_solid(mesh, euler=0)
+    assert mesh.told == ()
+
+
 def test_an_offset_on_both_sides_of_the_axis_is_told():
     mesh = GeneralizedCylinder(Circle(0.1), RING, Count(64), offset_x="-2 + 1.5*cos(2*pi*t)").mesh()
-    assert len(mesh.told) == 1 and mesh.told[0].startswith("Offset: near u = 1.571 it goes beyond the centre")
+    assert len(mesh.told) == 1 and mesh.told[0].startswith("Contour: near u = 1.571 it is beyond the centre")
 
 
 def test_an_offset_moves_along_the_axes_and_is_not_scaled():
