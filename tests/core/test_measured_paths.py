@@ -94,6 +94,7 @@ def test_a_track_that_comes_back_to_its_first_point_is_closed():
         ('\ufefftime,z,y,x\nnoon,3,2,"1"\none,6,5,4\n', ("x", "y", "z")),
         ("t\tX\tY\tZ\n0\t1\t2\t3\n0\t4\t5\t6\n", None),
         ("0,1,2,3\n0,4,5,6\n", (2, 3, 4)),
+        ("1,2,3\n,,\n4,5,6\n", None),
     ],
 )
 def test_tables_are_read_as_programs_write_them(text, columns, tmp_path):
@@ -120,14 +121,18 @@ def test_a_backbone_of_a_protein_becomes_a_tube():
         ("0,0,0\n1,,3\n", None, "the CSV text must have numbers only, got '' in line 2"),
         ("0,0,0\n1,nan,3\n", None, "the CSV text must have numbers only, got 'nan' in line 2"),
         ("0,0,0\n1,2\n", None, "the CSV text must have 3 numbers in line 2, got 2"),
-        ("1\n2\n", None, "columns: must be the two or three columns that are x, y and z, got [1]"),
+        ("1\n2\n", None, "the CSV text must have two or three columns of numbers, got 1"),
         ("x,y,z\n", None, "the CSV text must have lines of numbers after the first, got 'none'"),
         ("\n\n", None, "the CSV text must have lines of numbers, got 'none'"),
         ("0,0,0\n", None, "the CSV text must have at least 2 different points, got 1"),
         ("0,0,0\n0,0,0\n", None, "the CSV text must have at least 2 different points, got 1"),
         ("0,0,0\n0,0,1e13\n", None, "the CSV text must have finite numbers up to 1e+12 in size, got 1e+13 in row 2"),
-        ("a,b\n0,0\n", ("a", "c"), "columns: must be names of the first line, a, b, got 'c'"),
-        ("0,0,0\n1,1,1\n", (1, 2, 4), "columns: must be counted from 1, got 4"),
+        ("a,b\n0,0\n", ("a", "c"), "columns: must be names of the first line, a, b, or numbers from 1 to 2, got 'c'"),
+        ("0,0,0\n1,1,1\n", (1, 2, 4), "columns: must be numbers from 1 to 3, got 4"),
+        ("0,0,0\n1,1,1\n", (True, 2, 3), "columns: must be numbers from 1 to 3, got True"),
+        ("0,0,0\n1,1,1\n", 5, "columns: must be the two or three columns that are x, y and z, got 5"),
+        ("0,0,0\n1,1,1\n", "xyz", "columns: must be the two or three columns that are x, y and z, got 'xyz'"),
+        ("0,0,0\n1_0,1,1\n", None, "the CSV text must have numbers only, got '1_0' in line 2"),
         ("", None, "csv: must be CSV text or a path, got ''"),
         ("no/such.csv", None, "the CSV file no/such.csv cannot be read: No such file or directory"),
     ],
@@ -144,10 +149,9 @@ BOMB = '<!DOCTYPE gpx [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]><gpx><trk>&b;<
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("<gpx></gpx>", "the GPX text must have a track, got 'none'"),
-        (gpx([(0, 0), (1, 1)], name="rte"), "the GPX text must have a track, got 'none'"),
-        (gpx([]), "the GPX text must have a track of at least 2 points, got 0"),
-        (gpx([(0, 0)]), "the GPX text must have a track of at least 2 points, got 1"),
+        ("<gpx></gpx>", "the GPX text must have a track or a route, got 'none'"),
+        (gpx([]), "the GPX text must have a track or a route of at least 2 points, got 0"),
+        (gpx([(0, 0)]), "the GPX text must have a track or a route of at least 2 points, got 1"),
         (gpx([(0, 0), (0, 0)]), "the GPX text must have at least 2 different points, got 1"),
         (gpx([(0, 0), (91, 0)]), "the GPX text must have a lat between -90 and 90, got '91' at point 2"),
         (gpx([(0, 0), (1, "x")]), "the GPX text must have a lon between -180 and 180, got \"'x'\" at point 2"),
@@ -166,3 +170,19 @@ def test_what_is_no_track_is_refused(text, sentence):
     with pytest.raises(ShapeError) as refusal:
         from_gpx(text)
     assert str(refusal.value) == sentence
+
+
+@pytest.mark.parametrize(
+    "origin", ["x", 5, (1, 2), (1, 2, 3, 4), ("a", "b", "c"), (91, 0, 0), (0, 181, 0), (0, 0, np.nan), (None, 0, 0), {}]
+)
+def test_what_is_no_place_is_refused(origin):
+    with pytest.raises(ShapeError) as refusal:
+        from_gpx(gpx([(0, 0), (1, 1)]), origin=origin)
+    assert refusal.value.key == "origin" and "must be a latitude and a longitude" in str(refusal.value)
+
+
+def test_a_planned_route_counts_where_there_is_no_track():
+    points = '<rtept lat="0" lon="0"/><rtept lat="0" lon="0.01"/>'
+    assert from_gpx(f"<gpx><rte>{points}</rte></gpx>").length() == pytest.approx(1113.19, abs=0.01)
+    both = gpx([(0, 0), (0, 0.001)]).replace("</gpx>", f"<rte>{points}</rte></gpx>")
+    assert from_gpx(both).length() == pytest.approx(111.319, abs=0.001)

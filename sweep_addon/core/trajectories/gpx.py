@@ -8,8 +8,8 @@ The format is three attributes of one element, so the standard library's parser 
 import numpy as np
 
 from ..documents import about, content, parsed, plain
-from ..parameters import ShapeError, require
-from .table import LARGEST, number, through
+from ..parameters import LARGEST, ShapeError, require
+from .table import LARGEST_FILE, number, through
 
 EQUATOR, FLATTENING = 6_378_137.0, 1 / 298.257223563  # WGS84: metres
 SQUARED = FLATTENING * (2 - FLATTENING)  # of the eccentricity
@@ -22,7 +22,7 @@ def from_gpx(text_or_path, origin=None, closed=None):
     ----------
     text_or_path : str or Path
         The text of a document, or the path of a file of at most 50 MB. Of several tracks the one with most points is
-        taken, its segments one after another.
+        taken, its segments one after another; of a document without tracks, the route with most points.
     origin : (latitude, longitude, elevation), optional
         In degrees and metres, what becomes (0, 0, 0), so that several files share one map; without it the middle of the
         track, and its lowest point.
@@ -38,7 +38,7 @@ def from_gpx(text_or_path, origin=None, closed=None):
     Raises
     ------
     ShapeError
-        For what is no GPX, for a document without a track, for places that are none.
+        For what is no GPX, for a document without a track or a route, for places that are none.
 
     Source
     ------
@@ -51,7 +51,9 @@ def from_gpx(text_or_path, origin=None, closed=None):
     >>> round(track.length(), 2)
     1113.19
     """
-    data, subject = content(text_or_path, "GPX", "<", LARGEST)
+    if origin is not None:
+        require_place(origin)
+    data, subject = content(text_or_path, "GPX", "<", LARGEST_FILE)
     with about(subject):
         places = track(parsed(data))
         if origin is None:
@@ -60,14 +62,25 @@ def from_gpx(text_or_path, origin=None, closed=None):
         return through(np.column_stack((east_north, places[:, 2] - origin[2])), closed)
 
 
+def require_place(origin):
+    """Refuse what is no latitude, longitude and elevation."""
+    try:
+        numbers = np.asarray(origin, dtype=float)
+    except (TypeError, ValueError):
+        numbers = np.empty(0)
+    sentence = "must be a latitude and a longitude of at most 90 and 180 degrees, and an elevation"
+    require(numbers.shape == (3,) and (np.abs(numbers) <= (90, 180, LARGEST)).all(), sentence, origin, "origin")
+
+
 def track(root):
-    """Latitude, longitude and elevation of the points of the longest track: (n, 3)."""
+    """Latitude, longitude and elevation of the points of the longest track, or where there is none, route: (n, 3)."""
     require(plain(root) == "gpx", "must have a gpx element at its root", plain(root))
     tracks = [element for element in root if plain(element) == "trk"]
-    require(tracks, "must have a track", "none")
-    tracks = [[point for point in element.iter() if plain(point) == "trkpt"] for element in tracks]
+    tracks = tracks or [element for element in root if plain(element) == "rte"]
+    require(tracks, "must have a track or a route", "none")
+    tracks = [[point for point in element.iter() if plain(point) in ("trkpt", "rtept")] for element in tracks]
     points = max(tracks, key=len)
-    require(len(points) >= 2, "must have a track of at least 2 points", len(points))
+    require(len(points) >= 2, "must have a track or a route of at least 2 points", len(points))
     found = np.array([place(index, element) for index, element in enumerate(points, 1)])
     known = ~np.isnan(found[:, 2])
     index = np.arange(len(found))

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Trajectories from tables: points in lines of text."""
 
-from math import isfinite
+from collections.abc import Iterable
+from math import isfinite, nan
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from ..documents import about, content
 from ..parameters import ShapeError, require
 from .sampled import Sampled
 
-LARGEST = 50_000_000  # bytes
+LARGEST_FILE = 50_000_000  # bytes
 
 
 def from_csv(text_or_path, columns=None, closed=None):
@@ -43,13 +44,13 @@ def from_csv(text_or_path, columns=None, closed=None):
     >>> from_csv("x,y,z\\n0,0,0\\n0,0,3\\n").length()
     3.0
     """
-    data, subject = content(text_or_path, "CSV", "\n", LARGEST)
+    data, subject = content(text_or_path, "CSV", "\n", LARGEST_FILE)
     with about(subject):
         try:
             lines = data.decode("utf-8-sig").splitlines()
         except UnicodeDecodeError as error:
             raise ShapeError(f"must be UTF-8, got the byte 0x{data[error.start]:02x}") from error
-        rows = [(n, cells) for n, cells in enumerate(rows_of(lines), 1) if cells and not cells[0].startswith("#")]
+        rows = [(n, cells) for n, cells in enumerate(rows_of(lines), 1) if any(cells) and not cells[0].startswith("#")]
         require(rows, "must have lines of numbers", "none")
         names = rows.pop(0)[1] if all(number(cell) is None for cell in rows[0][1]) else []
         require(rows, "must have lines of numbers after the first", "none")
@@ -85,15 +86,21 @@ def chosen_columns(columns, names, width):
         if {"x", "y"} <= set(names):
             columns = [name for name in ("x", "y", "z") if name in names]
         else:
+            require(width >= 2, "must have two or three columns of numbers", width)
             columns = range(1, 1 + min(width, 3))
-    require(len(columns) in (2, 3), "must be the two or three columns that are x, y and z", list(columns), "columns")
+    listed = isinstance(columns, Iterable) and not isinstance(columns, str)
+    given = list(columns) if listed else []
+    require(len(given) in (2, 3), "must be the two or three columns that are x, y and z", columns, "columns")
     chosen = []
-    for column in columns:
+    for column in given:
+        place = column
         if isinstance(column, str) and column.lower() in names:
-            column = 1 + names.index(column.lower())
-        known = f"must be names of the first line, {', '.join(names)}" if names else "must be counted from 1"
-        require(isinstance(column, int) and 1 <= column <= width, known, column, "columns")
-        chosen.append(column - 1)
+            place = 1 + names.index(column.lower())
+        counted = isinstance(place, (int, np.integer)) and not isinstance(place, bool)
+        known = f"names of the first line, {', '.join(names)}, or " if names else ""
+        sentence = f"must be {known}numbers from 1 to {width}"
+        require(counted and 1 <= place <= width, sentence, column, "columns")
+        chosen.append(int(place) - 1)
     return chosen
 
 
@@ -109,7 +116,7 @@ def point(line, cells, chosen):
 def number(cell):
     """The finite number that is written in a cell, or None."""
     try:
-        value = float(cell)
+        value = float(cell) if "_" not in cell else nan  # Python's own digit groups are no table's
     except ValueError:
         return None
     return value if isfinite(value) else None
