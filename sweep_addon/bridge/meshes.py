@@ -54,9 +54,13 @@ def write(mesh, made, topology="", texture=""):
     if not mesh.is_editable:
         return write_linked(mesh, made)
     count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
-    if made.topology.key != topology or not count:
+    if not count or made.topology.sizes != topology.partition(".")[0]:
         write_topology(mesh, made.topology, len(made.vertices))
         texture = ""
+    elif made.topology.key != topology:
+        for _ in range(2):
+            mesh.polygons[0].flip()  # there and back: Blender 4.5 forgets which faces it had found round each vertex
+        write_joins(mesh, made.topology)
     values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()
     mesh.attributes["position"].data.foreach_set("vector", values)
     write_texture(mesh, made.chart, texture.split("|") if texture.count("|") == 2 else ("", "", ""))
@@ -120,11 +124,16 @@ def write_topology(mesh, topology, vertices):
     mesh.loops.add(len(topology.corners))
     mesh.polygons.add(len(topology.offsets) - 1)
     mesh.polygons.foreach_set("loop_start", topology.offsets[:-1])
+    write_joins(mesh, topology)
+    attribute(mesh, "sharp_edge", "BOOLEAN", "EDGE").data.foreach_set("value", topology.sharp)
+    attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
+
+
+def write_joins(mesh, topology):
+    """Replace the vertices that faces and edges join, as where a closed sweep's last ring leads to other points."""
     mesh.attributes[".edge_verts"].data.foreach_set("value", topology.edges.ravel())
     mesh.attributes[".corner_vert"].data.foreach_set("value", topology.corners)
     mesh.attributes[".corner_edge"].data.foreach_set("value", topology.corner_edges)
-    attribute(mesh, "sharp_edge", "BOOLEAN", "EDGE").data.foreach_set("value", topology.sharp)
-    attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
 
 
 def write_texture(mesh, chart, known):

@@ -7,7 +7,7 @@ column, so that all of them come from one matrix product of the section with the
 has shrunk to nothing is one vertex, a tip, behind all the others.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import blake2b
 
@@ -84,6 +84,8 @@ class Grid:
 
 @kept
 def build(grid):
+    if grid.seam:
+        return led_aside(build(replace(grid, seam=())), grid)
     columns, rings, pairs = grid.columns, len(grid.whole), grid.bands()[0]
     stride, position = places(grid)
     low, high, whole = *pairs.T, grid.whole
@@ -94,20 +96,20 @@ def build(grid):
     offsets = face_offsets(grid, points, [sizes for *_, sizes in caps])
     material = np.full(len(offsets) - 1, CAP, np.int32)
     material[: columns * len(pairs)] = SIDE
-    corners = laid(grid, points, *(corners for corners, *_ in caps))
-    edges = laid(grid, (along, around), inner.ravel()).reshape(-1, 2)
-    corner_edges = laid(grid, used, *(edges for _, edges, _ in caps))
-    if grid.seam:
-        lead_aside(grid, corners, edges, corner_edges)
     return Topology(
-        corners=corners,
+        corners=laid(grid, points, *(corners for corners, *_ in caps)),
         offsets=offsets,
-        edges=edges,
-        corner_edges=corner_edges,
+        edges=laid(grid, (along, around), inner.ravel()).reshape(-1, 2),
+        corner_edges=laid(grid, used, *(edges for _, edges, _ in caps)),
         sharp=sharp_edges(grid, len(pairs), len(inner)),
         material=material,
-        name=blake2b(repr(grid).encode(), digest_size=8).hexdigest(),
+        name=short_text(grid),
     )
+
+
+def short_text(value):
+    """A few digits that differ where values differ."""
+    return blake2b(repr(value).encode(), digest_size=8).hexdigest()
 
 
 def places(grid):
@@ -195,18 +197,21 @@ def side_faces(grid, stride, position):
     yield blocks(funnels, ("own", "low", "up"), third, fourth)
 
 
-def lead_aside(grid, corners, edges, corner_edges):
-    """Lead the columns of the last ring to those of the first that the seam says, unless one of the two is a tip."""
+def led_aside(topology, grid):
+    """The topology with the last ring led to the columns of the first that the seam says, unless either is a tip."""
     pairs, below, above = grid.bands()
     if below[-1] or above[-1]:
-        return
+        return topology
     columns, bands, rings = grid.columns, len(pairs), len(grid.whole)
     seam = np.array(grid.seam, np.int32)
+    corners, edges, corner_edges = (part.copy() for part in (topology.corners, topology.edges, topology.corner_edges))
     quads = np.count_nonzero(~below & ~above)
     first, used = (part[: 4 * columns * quads].reshape(columns, quads, 4)[:, -1] for part in (corners, corner_edges))
     first[:, 2], first[:, 3] = seam[grid.following] * rings, seam * rings
     used[:, 2] = columns * bands + seam * rings
     edges[: columns * bands].reshape(columns, bands, 2)[:, -1, 1] = seam * rings
+    joins = {"corners": corners, "edges": edges, "corner_edges": corner_edges}
+    return replace(topology, **joins, seam=short_text(grid.seam))
 
 
 def cap_faces(grid, stride, position):

@@ -33,6 +33,8 @@ class Topology:
         The material slot of each face.
     name : str
         A short text that differs where what the topology was made from differs, if that is known.
+    seam : str
+        A short text that differs where faces and edges of the same name join other vertices.
     """
 
     corners: np.ndarray
@@ -42,13 +44,21 @@ class Topology:
     sharp: np.ndarray
     material: np.ndarray
     name: str = ""
+    seam: str = ""
 
     @cached_property
     def key(self):
         """A short text that differs where topologies differ; of a named one only a sample is looked at."""
+        return f"{self.sizes}.{self.seam}{self.looked_at(self.corners, self.edges)}"
+
+    @cached_property
+    def sizes(self):
+        """How the key begins: the same where faces and edges differ in nothing but the vertices that they join."""
+        return self.name + self.looked_at(self.offsets, self.sharp, self.material)
+
+    def looked_at(self, *parts):
         step = SAMPLE if self.name else 1
-        parts = (self.corners, self.offsets, self.edges, self.sharp, self.material)
-        return self.name + "".join(f"{zlib.crc32(np.ascontiguousarray(part[::step]).data):08x}" for part in parts)
+        return "".join(f"{zlib.crc32(np.ascontiguousarray(part[::step]).data):08x}" for part in parts)
 
     @property
     def nbytes(self):

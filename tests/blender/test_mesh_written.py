@@ -56,6 +56,15 @@ def attribute(mesh, name, kind, count, dtype=np.float32):
     return values.reshape(-1, count) if count > 1 else values
 
 
+def normals(mesh):
+    """The normal at each vertex and at each corner: (n, 3)."""
+    found = []
+    for kept in (mesh.vertex_normals, mesh.corner_normals):
+        found.append(np.empty(3 * len(kept), np.float32))
+        kept.foreach_get("vector", found[-1])
+    return np.concatenate(found).reshape(-1, 3)
+
+
 def same_as_arrays(mesh, made):
     """Assert that a Blender mesh holds every array of a mesh of arrays."""
     assert np.array_equal(places(mesh), made.vertices.astype(np.float32))
@@ -135,6 +144,26 @@ def test_texture_and_attributes_that_are_not_wanted_go_and_come_again(scene):
     group.texture, group.attributes = "UNIT", True
     assert names <= set(mesh.attributes.keys())
     same_as_arrays(mesh, replace(SHAPES["tube"], texture="unit").mesh(dtype=np.float32))
+
+
+def test_where_only_the_seam_moves_only_what_faces_join_is_written(scene, monkeypatch):
+    """And Blender forgets what it had found out: its normals are those of a mesh that was written at once."""
+    frames = [sw.frames.RotationMinimizing(extra_sectors=sectors) for sectors in range(4)]
+    turned = [shape(sw.contours.Rectangle(0.1, 0.1), KNOT, frame=frame).mesh(dtype=np.float32) for frame in frames]
+    expected = []
+    for made in turned:
+        meshes.write(bpy.data.meshes.new("fresh"), made)
+        expected.append(normals(bpy.data.meshes["fresh"]))
+        bpy.data.meshes.remove(bpy.data.meshes["fresh"])
+    mesh = bpy.data.meshes.new("turned")
+    *known, _ = meshes.write(mesh, turned[-1])
+    monkeypatch.setattr(meshes, "write_topology", None)
+    for made, found in zip(turned, expected, strict=True):
+        normals(mesh)
+        *known, _ = meshes.write(mesh, made, *known)
+        same_as_arrays(mesh, made)
+        assert np.abs(normals(mesh) - found).max() < 1e-6
+        assert not mesh.validate()
 
 
 def test_tubes_along_several_splines_are_one_valid_mesh(scene):
