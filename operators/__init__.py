@@ -4,13 +4,14 @@
 
 from bpy.utils import register_classes_factory
 
-from . import add_preset, add_shape, apply, copy_as, edit_as_curve, sweep_selected
+from . import add_preset, add_shape, apply, convert, copy_as, edit_as_curve, sweep_selected
 
 register, unregister = register_classes_factory(
     (
         *add_shape.OPERATORS,
         add_preset.MESH_OT_sweep_preset_add,
         sweep_selected.OBJECT_OT_sweep_selected,
+        convert.OBJECT_OT_sweep_convert,
         apply.OBJECT_OT_sweep_apply,
         copy_as.OBJECT_OT_sweep_copy,
         edit_as_curve.OBJECT_OT_sweep_edit_as_curve,

@@ -13,8 +13,10 @@ register_classes, unregister_classes = register_classes_factory((*add_menu.MENUS
 def register():
     register_classes()
     bpy.types.VIEW3D_MT_mesh_add.append(add_menu.draw_in_mesh_add)
+    bpy.types.VIEW3D_MT_object_convert.append(add_menu.draw_in_convert)
 
 
 def unregister():
+    bpy.types.VIEW3D_MT_object_convert.remove(add_menu.draw_in_convert)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_menu.draw_in_mesh_add)
     unregister_classes()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The menu of what can be added, in Add > Mesh and in the sidebar."""
+"""The menu of what can be added, in Add > Mesh and in the sidebar, and the line in Object > Convert."""
 
 from bpy.types import Menu
 
@@ -53,3 +53,8 @@ MENUS = (*map(menu_of, GROUPS), VIEW3D_MT_sweep_add)
 def draw_in_mesh_add(self, context):
     self.layout.separator()
     self.layout.menu("VIEW3D_MT_sweep_add", icon="MOD_SCREW")
+
+
+def draw_in_convert(self, context):
+    self.layout.separator()
+    self.layout.operator("object.sweep_convert", text="Sweep", icon="MOD_SCREW")

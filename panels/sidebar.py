@@ -6,6 +6,7 @@ from textwrap import wrap
 
 from bpy.types import Panel
 
+from ..operators.convert import is_tube
 from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
@@ -30,6 +31,8 @@ class VIEW3D_PT_sweep(Panel):
         say = sentences(context)
         if not objects.is_sweep(ob):
             say(layout, hint(context), "INFO")
+            if is_tube(ob):
+                layout.operator("object.sweep_convert")
         elif not ob.data.is_editable:
             say(layout, "The mesh is linked from another file: make it local to change it.", "LINKED")
         else:

@@ -13,7 +13,7 @@ import pytest
 CHECKOUT = Path(__file__).resolve().parents[1]
 FILES = sorted(file.relative_to(CHECKOUT).with_suffix("") for file in CHECKOUT.glob("sweep_addon/**/*.py"))
 NAMES = [".".join(file.parts).removesuffix(".__init__") for file in FILES if file.name != "__main__"]
-BLENDERS = {"bpy", "bmesh", "mathutils"}
+BLENDERS = {"bpy", "bpy_extras", "bmesh", "mathutils"}
 
 
 @pytest.mark.skipif(np.lib.NumpyVersion(np.__version__) < "2.0.0", reason="NumPy 1 prints its numbers differently")

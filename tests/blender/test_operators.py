@@ -226,6 +226,7 @@ def test_copied_python_of_several_splines_makes_them_all_and_a_job_says_that_it_
         ("mesh.generalized_cylinder_add", True),
         ("mesh.sweep_preset_add", True),
         ("object.sweep_selected", True),
+        ("object.sweep_convert", True),
         ("object.sweep_apply", True),
         ("object.sweep_edit_as_curve", True),
         ("object.sweep_copy", False),  # changes nothing

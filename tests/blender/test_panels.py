@@ -98,6 +98,21 @@ def test_without_a_sweep_it_says_what_to_do_and_offers_it(scene):
     assert "Object Mode" in said(drawn(plain, mode="EDIT_MESH"))
 
 
+def test_a_curve_with_a_bevel_can_be_converted(scene):
+    path = straight()
+    assert "object.sweep_convert" not in drawn(path)
+    path.data.bevel_depth = 0.1
+    assert "object.sweep_convert" in drawn(path)
+
+
+def test_menu_stands_in_object_convert(scene):
+    layout = Layout()
+    for draw in bpy.types.VIEW3D_MT_object_convert.draw._draw_funcs:
+        if draw.__module__.startswith("bl_ext.user_default.sweep_addon"):
+            draw(SimpleNamespace(layout=layout), bpy.context)
+    assert "object.sweep_convert" in layout.drawn
+
+
 def test_a_sweep_shows_every_parameter_once_and_what_can_be_done(scene):
     calls = drawn(sweep())
     for p in parameters(sw.GeneralizedCylinder):
