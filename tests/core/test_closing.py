@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A contour carried round a closed trajectory meets itself in any turn that maps it to itself: with the least twist."""
 
+from itertools import pairwise
 from math import gcd, pi, radians, tau
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from solids import assert_solid, ngon
 
 from sweep_addon.core.contours import Aerofoil, Circle, Outline, Rectangle, RegularPolygon, Star
@@ -153,6 +156,24 @@ def test_every_frame_closes(frame, laws, trajectory):
     if not isinstance(frame, RotationMinimizing):
         back = round(4 * {"pi*t/2": 1 / 4, "pi*t": 1 / 2}.get(laws.get("twist"), 0))
         assert shift(mesh, 4).tolist() == [(column + back) % 4 for column in range(4)]
+
+
+@given(
+    st.sampled_from([SQUARE, Rectangle(0.2, 0.4, 0.05), Star(7, 0.3, 0.1), Circle(0.2, points=9), DRILLED, Aerofoil()]),
+    st.sampled_from(CLOSED),
+    st.one_of(st.builds(Tolerance, st.floats(1e-3, 0.1)), st.builds(Count, st.integers(60, 150))),
+    st.sampled_from([Frenet(), FixedUp((1, 2, 3))])
+    | st.builds(RotationMinimizing, st.integers(-2, 2), st.integers(-9, 9)),
+    st.sampled_from([(1.0, 1.0), (-0.7, 0.7), (0.5, 1.0), (WAVE, WAVE), (1.0, WAVE)]),
+    st.integers(-9, 9),
+)
+def test_a_ring_of_any_sectors_is_a_solid(contour, trajectory, samples, frame, scales, sectors):
+    section, (x, y) = contour.section(), scales
+    symmetry = section.symmetry if x in (y, -0.7) else gcd(section.symmetry, 2)
+    contour = Outline([0.1 * section.points[a:b] for a, b in pairwise(section.offsets)])
+    twist = f"{sectors}/{symmetry}*2*pi*t"
+    shape = GeneralizedCylinder(contour, trajectory, samples, frame, x, y, twist)
+    assert_solid(shape.mesh(), euler=0)
 
 
 @pytest.mark.parametrize("scale", ["sin(pi*t)", "abs(1 - 2*t)", "sin(2*pi*t)"])
