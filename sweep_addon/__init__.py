@@ -27,16 +27,17 @@ __all__ = [
     "from_object",
     "laws",
     "load",
+    "reach",
     "sampling",
     "to_object",
     "trajectories",
 ]
 
-LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".bridge.objects"}
+LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".bridge.objects", "reach": ".core.reach"}
 
 
 def __getattr__(name):
-    # Jobs and Blender are loaded when they are asked for: most scripts need neither.
+    # Jobs, Blender and what takes long are loaded when they are asked for: most scripts need none.
     from importlib import import_module
 
     if name == "__version__":
