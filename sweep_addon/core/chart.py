@@ -108,7 +108,16 @@ class Chart:
         offsets = np.array(self.grid.offsets)
         loop = run_of(offsets)
         start, end = self.around[offsets[loop] + loop], self.around[offsets[loop + 1] + loop]
-        return low / self.total, high / self.total, (left - start) / (end - start), (right - start) / (end - start)
+        first, whole = (
+            self.s[0],
+            max(self.total, self.s[-1]) - self.s[0],
+        )  # with a dome they begin or end beyond the path
+        return (
+            (low - first) / whole,
+            (high - first) / whole,
+            (left - start) / (end - start),
+            (right - start) / (end - start),
+        )
 
     def cap_uv(self, dtype):
         """The caps lie flat beside the strip, before its start and after its end; as a unit each has one of its own."""

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ends: what closes a sweep where its trajectory starts and ends."""
 
-from .parameters import declared, length
+from .parameters import declared, length, parameter
 
 
 @declared
@@ -41,4 +41,25 @@ class Taper:
     length: float = length(0.25, "How much of the trajectory the point takes")
 
 
-End = Flat | Open | Taper
+@declared
+class Round:
+    """A dome beyond the trajectory: of a circle half a ball
+
+    Its height is measured in half breadths of the contour, the distance from its centroid to the nearest side.
+
+    >>> from math import pi
+    >>> from sweep_addon.core.contours import Circle
+    >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+    >>> from sweep_addon.core.sampling import Tolerance
+    >>> from sweep_addon.core.trajectories import Line
+    >>> pill = GeneralizedCylinder(Circle(1.0, 1024), Line(), Tolerance(1e-5), start=Round(), end=Round()).mesh()
+    >>> round(pill.volume() / (pi + 4 / 3 * pi), 4)
+    1.0
+    """
+
+    height: float = parameter(
+        1.0, "Height in half breadths of the contour; 1 makes half a ball of a circle", above=0.0, soft_maximum=4.0
+    )
+
+
+End = Flat | Open | Taper | Round

@@ -11,7 +11,8 @@ from . import caps, closing
 from .along import Along, tapers, tips
 from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour
-from .ends import End, Flat, Taper
+from .domes import domes_of, with_domes
+from .ends import End, Flat, Round, Taper
 from .frames import Frame, RotationMinimizing, axes
 from .grid import Grid
 from .laws import Law
@@ -85,14 +86,11 @@ class GeneralizedCylinder:
         """
         section, closed, told = section_of(self.contour), self.trajectory.closed, ()
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
-        if closed and (isinstance(self.start, Taper) or isinstance(self.end, Taper)):
-            told += ("Ends: a closed trajectory has none, so nothing tapers.",)
+        if closed and any(isinstance(end, (Taper, Round)) for end in (self.start, self.end)):
+            told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
         along, symmetry = self.along(section, ends)
         reach = float(np.linalg.norm(section.points, axis=1).max())
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
-        vertices = len(stations.s) * len(section.points)
-        require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
-
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)
         e2, e3, said = axes(self.frame, stations, twist, symmetry)
@@ -102,11 +100,17 @@ class GeneralizedCylinder:
         backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
         if mirrored != backward:
             section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
+        scales = np.stack((scale_x, scale_y), axis=1)
+        around = lengths_around(section, np.abs(scales[~points]).mean(axis=0))
+        domes = domes_of(ends, section, scales[[0, -1]], points[[0, -1]], self.samples)
+        rings, points, u, s = with_domes(domes, stations, rings, points, backward)
+        vertices = len(s) * len(section.points)
+        require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
         grid = Grid(
-            rings=len(stations.s),
+            rings=len(s),
             tips=tuple(np.flatnonzero(points).tolist()),
             closed=closed,
-            creases=creases(stations),
+            creases=creases(stations, len(domes[0])),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
             caps=tuple(
@@ -114,18 +118,10 @@ class GeneralizedCylinder:
                 for end, station in zip(ends, (0, -1), strict=True)
             ),
             seam=closing.seam(section, closing.sectors(self.frame, along, symmetry), symmetry) if closed else (),
+            domes=tuple(map(len, domes)),
         )
-        scales = np.stack((scale_x, scale_y), axis=1)
-        chart = Chart(
-            grid,
-            stations.u,
-            stations.s,
-            stations.total,
-            lengths_around(section, np.abs(scales[~points]).mean(axis=0)),
-            tuple(section.points * scales[station] for station in (0, -1)),
-            self.texture,
-            self.attributes,
-        )
+        ends = tuple(section.points * scales[station] for station in (0, -1))
+        chart = Chart(grid, u, s, stations.total, around, ends, self.texture, self.attributes)
         return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said + warned)
 
     def along(self, section, ends):
@@ -151,10 +147,10 @@ def stand(samples, along, reach):
     return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
 
 
-def creases(stations):
-    """The stations where a mitre turns so much that it is an edge."""
+def creases(stations, before):
+    """The rings where a mitre turns so much that it is an edge; some stand before the first station."""
     turn = np.einsum("ij,ij->i", stations.arrive[stations.corners], stations.leave[stations.corners])
-    return tuple(stations.corners[turn < CREASE].tolist())
+    return tuple((before + stations.corners[turn < CREASE]).tolist())
 
 
 def placed(stations, aside, x, y):

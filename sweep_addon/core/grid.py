@@ -42,6 +42,8 @@ class Grid:
         The faces that close the start and the end: point numbers of the section, and where each face starts.
     seam : tuple of int
         The column of the first ring that each column of the last one leads to; empty where each leads to itself.
+    domes : tuple of two int
+        How many of the rings close the start and the end as a cap does.
     """
 
     rings: int
@@ -52,6 +54,7 @@ class Grid:
     sharp: tuple
     caps: tuple
     seam: tuple = ()
+    domes: tuple = (0, 0)
 
     @property
     def columns(self):
@@ -95,7 +98,7 @@ def build(grid):
     caps, inner = cap_faces(grid, stride, position)
     offsets = face_offsets(grid, points, [sizes for *_, sizes in caps])
     material = np.full(len(offsets) - 1, CAP, np.int32)
-    material[: columns * len(pairs)] = SIDE
+    material[: columns * len(pairs)] = side_material(grid)
     return Topology(
         corners=laid(grid, points, *(corners for corners, *_ in caps)),
         offsets=offsets,
@@ -190,7 +193,7 @@ def side_faces(grid, stride, position):
             used.append(edges[edge])
         return (len(chosen), points), (len(chosen), used)
 
-    quads, cones, funnels = (np.flatnonzero(chosen) for chosen in (~below & ~above, above & ~below, below & ~above))
+    quads, cones, funnels = kinds(below, above)
     third, fourth = ("next", "high", "high"), ("own", "high", "down")
     yield blocks(quads, ("own", "low", "low"), ("next", "low", "up"), third, fourth)
     yield blocks(cones, ("own", "low", "low"), ("next", "low", "up"), fourth)
@@ -212,6 +215,22 @@ def led_aside(topology, grid):
     edges[: columns * bands].reshape(columns, bands, 2)[:, -1, 1] = seam * rings
     joins = {"corners": corners, "edges": edges, "corner_edges": corner_edges}
     return replace(topology, **joins, seam=short_text(grid.seam))
+
+
+def kinds(below, above):
+    """The bands without a tip, those with one above, and those with one below, in the order of their faces."""
+    return tuple(np.flatnonzero(chosen) for chosen in (~below & ~above, above & ~below, below & ~above))
+
+
+def side_material(grid):
+    """The material of the faces between rings: that of caps on a dome."""
+    start, end = grid.domes
+    if not start + end:
+        return SIDE
+    pairs, below, above = grid.bands()
+    material = np.full(len(pairs), SIDE, np.int32)
+    material[:start] = material[len(pairs) - end :] = CAP
+    return np.concatenate([np.tile(material[bands], grid.columns) for bands in kinds(below, above)])
 
 
 def cap_faces(grid, stride, position):

@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Domes: the rings of a round end, beyond the trajectory, that shrink as those of a ball do to a tip."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .ends import Round
+from .parameters import at, require
+from .sampling import WIDEST_TURN, Tolerance
+
+SEEN = 1e-9  # of the contour's size squared: what the centroid must see of every edge
+
+
+@dataclass(frozen=True, eq=False)
+class Dome:
+    """The rings of a round end, from the first beyond the trajectory to the tip.
+
+    Parameters
+    ----------
+    radius, height : (k,) float array
+        The size of each ring, 1 at the trajectory's end and 0 at the tip, and how far beyond it stands, in metres.
+    centre : (2,) float array
+        The point of the contour over which the tip is.
+    reach : float
+        How far the contour is from there, all in all, in metres.
+    """
+
+    radius: np.ndarray
+    height: np.ndarray
+    centre: np.ndarray
+    reach: float
+
+    def __len__(self):
+        return len(self.radius)
+
+    @property
+    def length(self):
+        """The way up the dome to each ring, where the contour is a circle of its reach: (k,) float array."""
+        radius, height = np.append(1.0, self.radius) * self.reach, np.append(0.0, self.height)
+        return np.cumsum(np.hypot(np.diff(radius), np.diff(height)))
+
+    def rings(self, last, outward):
+        """The place and the axes of each ring: (3, k, 3), from those of the trajectory's last ring, (3, 3)."""
+        place, axes = last[0], last[1:]
+        over = (1 - self.radius)[:, None] * (self.centre @ axes)
+        places = place + over + self.height[:, None] * outward
+        return np.stack((places, *(self.radius[:, None] * axis for axis in axes)))
+
+
+NONE = Dome(np.zeros(0), np.zeros(0), np.zeros(2), 0.0)
+
+
+def domes_of(ends, section, scales, tips, samples):
+    """The domes of the ends, without a ring where an end is of another kind or the contour is a point.
+
+    Parameters
+    ----------
+    ends : tuple of two End
+    section : Section
+    scales : (2, 2) float array
+        What stretches the section's axes at the start and at the end.
+    tips : (2,) bool array
+        Whether the contour is a point there.
+    samples : Sampling
+
+    Raises
+    ------
+    ShapeError
+        Where the contour has a hole or several outlines, or where its centroid does not see all of it: the rings would
+        cross.
+    """
+    domes = []
+    for key, end, scale, tip in zip(("start", "end"), ends, np.abs(scales), tips, strict=True):
+        round_here = isinstance(end, Round) and not tip
+        if round_here:
+            with at(key):
+                require_seen(section)
+        domes.append(dome(section, scale, end.height, samples) if round_here else NONE)
+    return tuple(domes)
+
+
+def require_seen(section):
+    """Refuse a section whose rings, drawn together towards its centroid, would cross."""
+    others = "must be flat, open or taper where"
+    require(len(section.offsets) == 2, f"{others} the contour has holes or several outlines", "round")
+    sides = section.points - section.centroid
+    x, y = sides.T
+    seen = x * y[section.following] - y * x[section.following] > SEEN * section.size**2
+    require(seen.all(), f"{others} the contour's centroid does not see all of its outline", "round")
+
+
+def dome(section, scale, height, samples):
+    """The dome of a section at a scale, its height in half breadths."""
+    stretched = replace(section, points=section.points * scale)
+    reach = np.linalg.norm(stretched.points - stretched.centroid, axis=1)
+    height *= half_breadth(stretched)
+    angle = np.linspace(0, np.pi / 2, 1 + steps(samples, max(reach.max(), height), len(reach)))[1:]
+    radius = np.append(np.cos(angle[:-1]), 0.0)
+    return Dome(radius, height * np.sin(angle), section.centroid, float(reach.mean()))
+
+
+def half_breadth(section):
+    """How far the nearest side is from the centroid, in metres.
+
+    An edge of a smooth outline is a chord: the curve is farther out by one over the cosine of half of what it turns
+    from edge to edge, of a circle exactly.
+    """
+    sides = section.points - section.centroid
+    edges = sides[section.following] - sides
+    foot = -np.einsum("ij,ij->i", sides, edges) / section.edge_lengths**2
+    turns = np.where(section.sharp, 0.0, section.turns.clip(0.0))
+    turns = np.minimum(turns, turns[section.following])
+    nearest = np.linalg.norm(sides + foot[:, None] * edges, axis=1) / np.cos(turns / 2)
+    across = (foot > 0) & (foot < 1)
+    return float(min(np.linalg.norm(sides, axis=1).min(), nearest[across].min(initial=np.inf)))
+
+
+def steps(samples, radius, points):
+    """How many rings there are from the contour of so many points to the tip of a dome as round as a radius."""
+    if isinstance(samples, Tolerance):
+        turn = 4 * np.arcsin(np.sqrt(min(samples.chord / radius, 1.0) / 2))
+        wanted = np.pi / 2 / turn
+    else:
+        wanted = min(points / 4, samples.contours)  # as round as the contour of a circle
+    return int(np.ceil(max(wanted, np.pi / 2 / WIDEST_TURN) - 1e-9))
+
+
+def with_domes(domes, stations, rings, tips, backward):
+    """The rings of a sweep with those of its domes.
+
+    Parameters
+    ----------
+    domes : tuple of two Dome
+        Of the start and of the end.
+    stations : Stations
+    rings : (3, n, 3) float array
+        The place and the axes of the ring at each station.
+    tips : (n,) bool array
+    backward : bool
+        Whether the sweep runs against its trajectory, beside it.
+
+    Returns
+    -------
+    rings : (3, n + k, 3) float array
+    tips : (n + k,) bool array
+    u, s : (n + k,) float array
+        The trajectory's parameter, which ends where the trajectory does, and the arc length, which goes on over a dome.
+    """
+    parts = [rings.swapaxes(0, 1), tips, stations.u, stations.s]
+    for dome, side, sign in zip(domes, (0, -1), (-1, 1), strict=True):
+        if not len(dome):
+            continue
+        outward = (-sign if backward else sign) * stations.tangent[side]
+        beyond = (
+            dome.rings(rings[:, side], outward).swapaxes(0, 1),
+            dome.radius == 0,
+            np.full(len(dome), stations.u[side]),
+            stations.s[side] + sign * dome.length,
+        )
+        pairs = zip(parts, beyond, strict=True)
+        parts = [np.concatenate((part, more) if sign > 0 else (more[::-1], part)) for part, more in pairs]
+    return parts[0].swapaxes(0, 1), *parts[1:]
