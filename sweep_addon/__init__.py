@@ -10,7 +10,7 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 0
 """
 
-from .core import contours, ends, frames, laws, sampling, trajectories
+from .core import contours, corners, ends, frames, laws, sampling, trajectories
 from .core.forms import dump
 from .core.generalized_cylinder import GeneralizedCylinder
 from .core.mesh import Mesh
@@ -21,6 +21,7 @@ __all__ = [
     "Mesh",
     "ShapeError",
     "contours",
+    "corners",
     "dump",
     "ends",
     "frames",

@@ -7,8 +7,20 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..core import contours, trajectories
+from ..core.corners import Corner, Mitre
 from ..core.description import table_schema
-from ..core.parameters import ShapeError, at, declared, from_table, length, parameter, parameters, require, shown
+from ..core.parameters import (
+    ShapeError,
+    at,
+    declared,
+    from_table,
+    length,
+    parameter,
+    parameters,
+    require,
+    shown,
+    spelled,
+)
 
 LARGEST_FILE = 50_000_000  # bytes of a drawing or a font
 
@@ -20,6 +32,7 @@ class File:
     file: str = parameter("", "Path of an .svg, .gpx, .csv or .blend file, relative to the job")
     object: str = parameter("", "Name of the curve or text object in a .blend file")
     scale: float = parameter(1.0, "Factor of its size, as 0.001 for a drawing in millimetres", above=0.0)
+    corner: Corner = parameter(Mitre(), "What becomes of the corners of a trajectory of straight legs")
 
 
 @declared
@@ -77,24 +90,49 @@ def read(reference, is_contour, folder):
         with keyed("text"):
             return contours.from_text(reference.text, path, size=reference.size), path
     path = existing(folder / reference.file, "file")
+    found = (outline if is_contour else trajectory)(reference, path)
+    if isinstance(found, trajectories.Polyline):
+        return replace(found, corner=reference.corner), path
+    mitred = reference.corner == Mitre()
+    require(mitred, "stands for a trajectory of straight legs only", spelled(type(reference.corner)), "corner")
+    return found, path
+
+
+def outline(reference, path):
+    """The outline in a file."""
     kind = path.suffix.lower()
-    kinds = (".svg", ".blend") if is_contour else (".gpx", ".csv", ".blend")
-    sentence = "must be an .svg or .blend file" if is_contour else "must be a .gpx, .csv or .blend file"
-    require(kind in kinds, sentence, reference.file, "file")
+    require(kind in (".svg", ".blend"), "must be an .svg or .blend file", reference.file, "file")
+    if kind == ".svg":
+        with keyed("file"):
+            return contours.from_svg(path, scale=reference.scale)
+    with opened(reference) as files:
+        found = files.outline(path, reference.object)
+    return scaled(found, reference.scale)
+
+
+def trajectory(reference, path):
+    """The trajectory in a file."""
+    kind = path.suffix.lower()
+    require(kind in (".gpx", ".csv", ".blend"), "must be a .gpx, .csv or .blend file", reference.file, "file")
     if kind != ".blend":
         with keyed("file"):
-            if is_contour:
-                return contours.from_svg(path, scale=reference.scale), path
             measured = (trajectories.from_gpx if kind == ".gpx" else trajectories.from_csv)(path)
-            return lengthened(measured, reference.scale), path
+            return lengthened(measured, reference.scale)
+    with opened(reference) as files:
+        found = files.trajectory(path, reference.object)
+    return lengthened(found, reference.scale)
+
+
+@contextmanager
+def opened(reference):
+    """What reads the files of Blender; where it refuses, it is about the object."""
     require(reference.object, "must name an object of the .blend file", reference.object, "object")
     try:
         from ..bridge import files
     except ImportError as missing:
         raise ShapeError(f"needs Blender to be read, got {shown(reference.file)}", "file") from missing
     with at("object"):
-        found = (files.outline if is_contour else files.trajectory)(path, reference.object)
-    return (scaled(found, reference.scale) if is_contour else lengthened(found, reference.scale)), path
+        yield files
 
 
 @contextmanager

@@ -35,6 +35,7 @@ def draw_one(layout, group, p, name):
     if kind is None:
         if p.accepts and chosen == "OBJECT":
             column.prop(group, f"{name}_object", text=" ")
+            draw_beside(column, group, p, name)
         return
     inner = inside(p, kind)
     for q in inner:
@@ -42,6 +43,16 @@ def draw_one(layout, group, p, name):
             draw_one(column, group, q, f"{name}_{spelled(kind, '_')}_{q.name}")
         else:
             column.prop(group, f"{name}_{spelled(kind, '_')}_{q.name}", text="" if q.shorthand else label(q))
+
+
+def draw_beside(layout, group, p, name):
+    """What an object that stands for a value does not say itself: the corners of a curve with straight legs."""
+    curve = getattr(getattr(group, f"{name}_object"), "data", None)  # nobody may have chosen one yet
+    held = {spline.type for spline in getattr(curve, "splines", ())}
+    for kind in p.kinds:
+        for q in inside(p, kind):
+            if held.intersection(q.splines):
+                draw_one(layout, group, q, f"{name}_{spelled(kind, '_')}_{q.name}")
 
 
 def draw_list(layout, group, p, name):

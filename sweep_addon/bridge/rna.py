@@ -8,6 +8,7 @@ that operators, presets, scripts and keyframes reach each by a plain name. A lis
 
 import json
 import zlib
+from dataclasses import replace
 from enum import EnumMeta
 from functools import lru_cache
 
@@ -133,10 +134,18 @@ def table(group, declared, prefix, resolve):
             chosen = getattr(group, f"{name}_object")
             with at(p.name):
                 require_usable(chosen, p.accepts)
-            held[p.name] = resolve(chosen, p)
+            held[p.name] = completed(resolve(chosen, p), group, p, name)
         else:
             held[p.name] = meant(p, value)
     return held
+
+
+def completed(value, group, p, name):
+    """A value read from an object, with what a curve does not say: what becomes of the corners of a polyline."""
+    kind = type(value)
+    asked = tuple(q for q in inside(p, kind) if q.splines)
+    with at(p.name):
+        return replace(value, **table(group, asked, f"{name}_{spelled(kind, '_')}_", None)) if asked else value
 
 
 def require_usable(ob, types):

@@ -90,6 +90,9 @@ class GeneralizedCylinder:
             told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
         along, symmetry = self.along(section, ends)
         reach = float(np.linalg.norm(section.points, axis=1).max())
+        if len(along.trajectory.too_sharp):
+            path, limit = along.trajectory.limited(reach * along.largest)
+            along, told = replace(along, trajectory=path), (*told, limit)
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)

@@ -132,6 +132,7 @@ class Parameter:
     soft_maximum: float | None = None  # where a slider ends; typing may go on to the maximum
     columns: int | None = None  # numbers in a row of an array; None: a row is one number
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
+    splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
     group: str = ""  # the sub-panel of the sidebar it is drawn in
 

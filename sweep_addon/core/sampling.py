@@ -124,7 +124,7 @@ def place(trajectory, sampling, marks=(), extra=None):
     Stations
     """
     measure = arc_length(trajectory)
-    ends = measure.at(np.concatenate((trajectory.corners(), trajectory.domain)))
+    ends = measure.at(np.concatenate((trajectory.stops(), trajectory.domain)))
     ends = distinct(np.concatenate((ends, marks)).clip(0.0, measure.total), SHORTEST_STEP * measure.total)
     ends[-1] = measure.total
     if isinstance(sampling, Count):

@@ -19,6 +19,7 @@ TRAJECTORIES = {
     "helix": sw.trajectories.Helix(),
     "knot": sw.trajectories.TorusKnot(),
     "polyline": sw.trajectories.Polyline([(0, 0, 0), (3, 0, 0), (3, 3, 0), (0, 3, 1)], closed=True),
+    "round corners": sw.trajectories.Polyline([(0, 0, 0), (3, 0, 0), (3, 3, 0)], corner=sw.corners.Round(1.0)),
     "bezier": sw.trajectories.Bezier(),
     "nurbs": sw.trajectories.Nurbs(),
     "sampled": sw.trajectories.Sampled(closed=True),

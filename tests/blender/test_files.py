@@ -151,3 +151,25 @@ def test_weights_of_a_curve_survive_a_file(scene, tmp_path):
     ob.data.sweep.made = ""  # so that it is made again
     parameters_of(ob).contour_circle_points = parameters_of(ob).contour_circle_points
     assert ob.data.sweep.made and np.array_equal(places(ob.data), before)
+
+
+def test_a_job_says_the_corners_of_a_curve_in_a_file(scene, tmp_path):
+    """The curve is scaled, the radius is in metres."""
+    bent, smooth = [(0, 0, 0), (0, 0, 2), (0, 2, 2)], [(0, 0, 0), (0, 0, 1), (0, 1, 2), (0, 1, 3)]
+    both = {curve("POLY", bent, name="bent"), curve("NURBS", smooth, name="smooth")}
+    bpy.data.libraries.write(str(tmp_path / "paths.blend"), both)
+    empty()
+
+    def trajectory(said):
+        job = tmp_path / "job.toml"
+        job.write_text(f"kind = 'generalized-cylinder'\ntrajectory = {{ file = 'paths.blend', {said} }}")
+        return sw.load(job).trajectory
+
+    corner = "corner = { kind = 'round', radius = 0.5 }"
+    expected = sw.trajectories.Polyline(3 * np.array(bent), corner=sw.corners.Round(0.5))
+    assert trajectory(f"object = 'bent', scale = 3, {corner}") == expected
+    assert trajectory("object = 'bent', scale = 3") == sw.trajectories.Polyline(3 * np.array(bent))
+    with pytest.raises(sw.ShapeError, match="trajectory.corner: stands for .* of straight legs only, got 'round'"):
+        trajectory(f"object = 'smooth', {corner}")
+    with pytest.raises(sw.ShapeError, match="trajectory.corner.radius: must be at most 2 to fit"):
+        trajectory(f"object = 'bent', {corner.replace('0.5', '5')}")

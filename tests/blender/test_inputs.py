@@ -9,6 +9,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text
 
+import sweep_addon as sw
+
 
 def update():
     bpy.context.view_layer.update()
@@ -17,6 +19,25 @@ def update():
 def kept(ob, before, sentence):
     """Whether an object still has the mesh it had, and says that."""
     return np.array_equal(places(ob.data), before) and sentence in ob.data.sweep.error
+
+
+BENT = [(0, 0, 0), (0, 0, 2), (0, 2, 2)]
+
+
+def test_corners_of_a_curve_of_straight_legs_are_the_sweeps(scene):
+    """A curve does not say what becomes of its corners; whoever copies the shape takes them with it."""
+    ob = sweep(trajectory=curve("POLY", BENT))
+    group, mitred = parameters_of(ob), len(ob.data.vertices)
+    group.trajectory_polyline_corner = "ROUND"
+    group.trajectory_polyline_corner_round_radius = 0.5
+    shape = sw.from_object(ob)
+    assert shape.trajectory == sw.trajectories.Polyline(BENT, corner=sw.corners.Round(0.5))
+    assert len(ob.data.vertices) == len(shape.mesh().vertices) > mitred
+    before = places(ob.data)
+    group.trajectory_polyline_corner_round_radius = 2.5
+    assert kept(ob, before, "trajectory.corner.radius: must be at most 2 to fit into the leg from point 1 to point 2")
+    group.trajectory_polyline_corner = "BEVEL"
+    assert ob.data.sweep.error == "" and len(ob.data.vertices) == mitred * 4 // 3
 
 
 def test_edited_curve_is_followed(scene):

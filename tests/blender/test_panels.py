@@ -9,7 +9,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import parameters_of, select, square, straight, sweep, text
+from scenes import curve, parameters_of, select, square, straight, sweep, text
 
 import sweep_addon as sw
 from sweep_addon import presets
@@ -194,6 +194,16 @@ def test_an_object_shows_which(scene, parameter):
     assert f"{parameter}_object" in drawn(ob)
     setattr(parameters_of(ob), f"{parameter}_object", None)
     assert f"{parameter}_object" in drawn(ob)
+
+
+def test_corners_are_asked_of_a_curve_that_has_some(scene):
+    ob = sweep(trajectory=straight())
+    assert "trajectory_polyline_corner_mitre_limit" in drawn(ob)
+    parameters_of(ob).trajectory_polyline_corner = "ROUND"
+    assert "trajectory_polyline_corner_round_radius" in drawn(ob)
+    assert not [name for name in drawn(ob) if name.startswith(("trajectory_polyline_points", "trajectory_bezier"))]
+    smooth = sweep(trajectory=curve("NURBS", [(0, 0, 0), (0, 0, 1), (0, 1, 2), (0, 1, 3)]))
+    assert not [name for name in drawn(smooth) if "corner" in name]
 
 
 @pytest.mark.parametrize("text", ["", "7", "null", "{}", "[[", '"a"', "[" * 5000])

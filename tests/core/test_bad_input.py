@@ -7,6 +7,7 @@ from math import inf, nan
 import numpy as np
 import pytest
 
+from sweep_addon.core import corners
 from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
 from sweep_addon.core.digest import digest
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
@@ -16,6 +17,7 @@ from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyl
 CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"
 SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
 S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
+BENT = [(0, 0, 0), (2, 0, 0), (2, 3, 0)]
 THERE, BACK = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0)], [(2, 0, 0), (1, 0, 0)]
 CUSP = [(0, 0, 0), (1, 1, 0), (0, 1, 0), (1, 0, 0)]
 
@@ -93,6 +95,18 @@ VALUES = {  # refused when it is made
     "points: must be a list of 3 numbers each, got [('0', '0', '1')]": (Polyline, [("0", "0", "1")]),
     "points: must be a list of 3 numbers each, got [(0, 0, None)]": (Polyline, [(0, 0, None)]),
     "points: must be a list of 3 numbers each, got 'points'": (Polyline, "points"),
+    "corner: must be one of mitre, round, bevel, got 'miter'": (Polyline, THERE[:2], False, "miter"),
+    "corner.limit: must be at least 1, got 0.5": (Polyline, BENT, False, {"kind": "mitre", "limit": 0.5}),
+    "corner.radius: must be more than 0, got 0": (Polyline, BENT, False, {"kind": "round", "radius": 0}),
+    "corner.radius: must be at most 2 to fit into the leg from point 1 to point 2, got 3": (
+        Polyline, BENT, False, corners.Round(3)
+    ),
+    "corner.setback: must be at most 1.5 to fit into the leg from point 2 to point 3, got 1.75": (
+        Polyline, [*BENT, (0, 3, 3)], False, corners.Bevel(1.75)
+    ),
+    "corner.setback: must be at most 1 to fit into the leg from point 1 to point 2, got 1.75": (
+        Polyline, BENT, True, corners.Bevel(1.75)
+    ),
     "end: must differ from the start, got [1.0, 2.0, 3.0]": (Line, (1, 2, 3), (1, 2, 3)),
     "end: must be a list of 3, got (1, 2)": (Line, (1, 2, 3), (1, 2)),
     "points: must be 1 more than a multiple of 3: knot, handle, handle, ..., got 5": (Bezier, [*THERE, (4, 0, 0)]),
@@ -176,6 +190,13 @@ SHAPES = {  # refused when the shape is made, or its mesh
         "contour": Rectangle(1, 1), "trajectory": TorusKnot(), "twist": "-pi/2*t", "scale_x": "1 + 0.1*sin(2*pi*t)"
     },
     "start.length: must be more than 0, got 0": {"start": taper(0)},
+    "end.height: must be more than 0, got -1": {"end": {"kind": "round", "height": -1}},
+    "end: must be flat, open or taper where the contour has holes or several outlines, got 'round'": {
+        "contour": Outline([SQUARE, [(0.5, 0.5), (0.75, 0.5), (0.5, 0.75)]]), "end": "round"
+    },
+    "start: must be flat, open or taper where the contour's centroid does not see all of its outline, got 'round'": {
+        "contour": Outline([[(0, 0), (9, 0), (9, 1), (1, 1), (1, 9), (0, 9)]]), "start": "round"
+    },
     "end.length: must be at most 1, what is left of the trajectory, got 2": {"trajectory": Line(), "end": taper(2)},
     "end.length: must be at most 0.25, what is left of the trajectory, got 0.5": {
         "trajectory": Line(), "start": taper(0.75), "end": taper(0.5)

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sweep_addon as sw
-from sweep_addon.core import contours, ends, frames, trajectories
+from sweep_addon.core import contours, corners, ends, frames, trajectories
 from sweep_addon.core.forms import dump, load, plain, python_source, tables, toml
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.shapes import SHAPES, GeneralizedCylinder
@@ -19,12 +19,13 @@ from sweep_addon.core.shapes import SHAPES, GeneralizedCylinder
 RING = np.stack([np.cos(np.arange(40) / 7), np.sin(np.arange(40) / 7)], axis=1)
 RICH = GeneralizedCylinder(
     contour=contours.Outline(loops=[RING]),
-    trajectory=trajectories.Polyline([(0, 0, 0), (0, 0, 1), (1, 2, 1 / 3)]),
+    trajectory=trajectories.Polyline([(0, 0, 0), (0, 0, 1), (1, 2, 1 / 3)], corner=corners.Round(radius=0.2)),
     samples={"kind": "count", "contours": 12},
     frame=frames.FixedUp(up=(0, 0.6, 0.8)),
     scale_x="1 - t/2",
     scale_y=0.7,
     twist=[(0, 1), (1, 2)],
+    start=ends.Round(height=0.7),
     end=ends.Taper(length=0.1),
 )
 EXAMPLES = [GeneralizedCylinder(), RICH, *(shape() for shape in SHAPES[1:])]

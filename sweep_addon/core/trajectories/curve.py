@@ -26,10 +26,13 @@ class Trajectory:
         Whether there is nothing but straight legs between the joints.
     radii, tilts : Array
         What the curve itself scales the contour by and turns it by, in radians, at each of its points; empty: 1 and 0.
+    too_sharp : (k,) int array
+        Corners that a contour may not go round with a mitre; where there are any, `limited` has none of them.
     """
 
     closed = straight = False
     radii = tilts = NONE
+    too_sharp = ()
 
     def evaluate(self, u):
         """Points at parameters u: (n,) to (n, 3) float array, in metres."""
@@ -94,3 +97,7 @@ class Trajectory:
             inner = joints[:-1]
         before = self.tangents(np.where(inner == joints[0], joints[-1], inner), before=True)
         return inner[norms(self.tangents(inner) - before) > SAME_DIRECTION]
+
+    def stops(self):
+        """Parameters inside the domain where a contour stands whatever the sampling says: (k,) float array."""
+        return self.corners()
