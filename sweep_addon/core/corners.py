@@ -25,7 +25,7 @@ class Mitre:
     >>> from sweep_addon.core.trajectories import Polyline
     >>> hairpin = Polyline([(0, 0, 0), (2, 0, 0), (0, 0.2, 0)], corner=Mitre(limit=4))
     >>> GeneralizedCylinder(trajectory=hairpin).mesh().told
-    ('Corner: the mitre at point 2 would be 20 widths long, and the limit is 4; it is bevelled.',)
+    ('Corner: the mitre at point 2 would be 20.1 widths long, and the limit is 4; it is bevelled.',)
     """
 
     limit: float = parameter(
