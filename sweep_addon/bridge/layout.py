@@ -9,9 +9,9 @@ TYPED = 400  # characters of a list that can still be read and typed as text
 
 
 def draw(layout, group, declared):
-    """Every parameter; those of one group in a sub-panel that starts folded."""
+    """Every parameter; those of one group in a sub-panel that starts folded, below those of none."""
     bodies = {"": layout}
-    for p in declared:
+    for p in sorted(declared, key=lambda p: bool(p.group)):
         if p.group not in bodies:
             header, body = layout.panel(f"sweep_{p.group.lower().replace(' ', '_')}", default_closed=True)
             header.label(text=p.group)

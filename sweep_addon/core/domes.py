@@ -42,9 +42,9 @@ class Dome:
         return np.cumsum(np.hypot(np.diff(radius), np.diff(height)))
 
     def rings(self, last, outward):
-        """The place and the axes of each ring: (3, k, 3), from those of the trajectory's last ring, (3, 3)."""
+        """The place, the axes and what else a ring has, (3 or more, k, 3), from those of the trajectory's last."""
         place, axes = last[0], last[1:]
-        over = (1 - self.radius)[:, None] * (self.centre @ axes)
+        over = (1 - self.radius)[:, None] * (self.centre @ axes[:2])
         places = place + over + self.height[:, None] * outward
         return np.stack((places, *(self.radius[:, None] * axis for axis in axes)))
 

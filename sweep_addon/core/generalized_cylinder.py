@@ -4,14 +4,16 @@
 
 from dataclasses import replace
 from functools import lru_cache
+from math import tau
 
 import numpy as np
 
 from . import caps, closing
 from .along import Along, tapers, tips
 from .chart import Chart, Texture, lengths_around
-from .contours import Circle, Contour
+from .contours import Circle, Contour, Fit, fitted
 from .domes import domes_of, with_domes
+from .enclosing import enclosing, halfway
 from .ends import End, Flat, Round, Taper
 from .frames import Frame, RotationMinimizing, axes
 from .grid import Grid
@@ -22,6 +24,7 @@ from .sampling import Sampling, Tolerance, place
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import unit
+from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
 MOST_VERTICES = 20_000_000
@@ -66,6 +69,7 @@ class GeneralizedCylinder:
     end: End = parameter(Flat(), "What closes the end", group="Ends")
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
+    fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape")
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
@@ -84,7 +88,7 @@ class GeneralizedCylinder:
         ShapeError
             Where a law is not finite or leaves no area, or where there would be too many vertices.
         """
-        section, closed, told = section_of(self.contour), self.trajectory.closed, ()
+        section, closed, told = section_of(self.contour, self.fit), self.trajectory.closed, ()
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
         if closed and any(isinstance(end, (Taper, Round)) for end in (self.start, self.end)):
             told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
@@ -97,18 +101,27 @@ class GeneralizedCylinder:
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)
         e2, e3, said = axes(self.frame, stations, twist, symmetry)
-        rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
+        sectors = closing.sectors(self.frame, along, symmetry) if closed else 0
+        rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
+        if self.fit is Fit.AREA_TRUE:
+            rings = volume_true(stations, rings, along, section.centroid, tau * sectors / symmetry)
+        else:
+            rings = placed(stations, *rings)
         reach, least = reach * along.largest, ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
         backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
         if mirrored != backward:
             section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
-        scales = np.stack((scale_x, scale_y), axis=1)
+        scales, shape = np.stack((scale_x, scale_y), axis=1), section.points
         around = lengths_around(section, np.abs(scales[~points]).mean(axis=0))
         domes = domes_of(ends, section, scales[[0, -1]], points[[0, -1]], self.samples)
-        rings, points, u, s = with_domes(domes, stations, rings, points, backward)
-        vertices = len(s) * len(section.points)
+        vertices = (len(points) + sum(map(len, domes))) * len(section.points)
         require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
+        if self.fit is Fit.CIRCUMSCRIBED:
+            true = halfway(stations, self.frame, along, symmetry)
+            least = np.where(points, 0.0, np.abs(scales).min(axis=1))
+            rings, shape = enclosing(stations, rings, true, section, least, tau * sectors / symmetry)
+        rings, points, u, s = with_domes(domes, stations, rings, points, backward)
         grid = Grid(
             rings=len(s),
             tips=tuple(np.flatnonzero(points).tolist()),
@@ -120,12 +133,12 @@ class GeneralizedCylinder:
                 caps.faces(section) if isinstance(end, Flat) and not (closed or points[station]) else None
                 for end, station in zip(ends, (0, -1), strict=True)
             ),
-            seam=closing.seam(section, closing.sectors(self.frame, along, symmetry), symmetry) if closed else (),
+            seam=closing.seam(section, sectors, symmetry) if closed else (),
             domes=tuple(map(len, domes)),
         )
         ends = tuple(section.points * scales[station] for station in (0, -1))
         chart = Chart(grid, u, s, stations.total, around, ends, self.texture, self.attributes)
-        return Mesh(drawn(rings, section.points, points, dtype), grid.topology(), chart, told + said + warned)
+        return Mesh(drawn(rings, shape, points, dtype), grid.topology(), chart, told + said + warned)
 
     def along(self, section, ends):
         """The laws of the sweep, and in how many turns the section is mapped to itself as they leave it."""
@@ -139,9 +152,9 @@ class GeneralizedCylinder:
 
 
 @lru_cache(maxsize=16)
-def section_of(contour):
+def section_of(contour, fit):
     """The section of a contour, made once for equal ones, and with it what is known of it."""
-    return contour.section()
+    return fitted(contour, fit)
 
 
 @lru_cache(maxsize=16)
@@ -211,5 +224,5 @@ def drawn(rings, section, tips, dtype):
     """The vertices, column by column, tips last: one matrix product of the section with the axes of the stations."""
     whole = rings[:, ~tips].astype(dtype)
     weights = np.column_stack((np.ones(len(section)), section)).astype(dtype)
-    grid = (weights @ whole.reshape(3, -1)).reshape(-1, 3)
+    grid = (weights @ whole.reshape(len(rings), -1)).reshape(-1, 3)
     return np.concatenate((grid, rings[0, tips].astype(dtype))) if tips.any() else grid

@@ -10,6 +10,7 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import add, extent, parameters_of, places, select, straight, sweep
 
 from sweep_addon.bridge import meshes, objects
+from sweep_addon.core.contours import Circle
 from sweep_addon.properties import handlers, live
 
 RADIUS = "sweep.generalized_cylinder.contour_circle_radius"
@@ -51,6 +52,16 @@ def test_property_set_by_a_script_is_the_mesh_at_once(scene):
     assert extent(ob) == pytest.approx((3, 3, 7))
     parameters_of(ob).contour = "RECTANGLE"
     assert len(ob.data.vertices) == 8
+
+
+def test_a_fit_is_chosen_live(scene):
+    """An octagon in the circle of 1 m, one with its area, and one about it."""
+    ob = sweep(contour=Circle(1.0, 8))
+    areas = {"INSCRIBED": 8 / 2 * np.sin(np.pi / 4), "AREA_TRUE": np.pi, "CIRCUMSCRIBED": 8 * np.tan(np.pi / 8)}
+    for fit, area in areas.items():
+        parameters_of(ob).fit = fit
+        radius = extent(ob)[0] / 2
+        assert 8 / 2 * np.sin(np.pi / 4) * radius**2 == pytest.approx(area)
 
 
 def test_many_properties_are_one_rebuild_where_they_wait(scene, written):

@@ -8,11 +8,12 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from solids import CENTRELINES, GLYPHS, KNOTS, assert_solid, box, ngon
 
-from sweep_addon.core.contours import Circle, Outline, Rectangle
+from sweep_addon.core.contours import Circle, Fit, Outline, Rectangle
 from sweep_addon.core.ends import Flat, Open, Taper
 from sweep_addon.core.expressions import compile
 from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Count, Tolerance, bend
 from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 
@@ -95,15 +96,21 @@ SAMPLES = st.one_of(st.builds(Tolerance, numbers(1e-3, 0.1)), st.builds(Count, s
 
 
 @given(
-    contours(), trajectories(), SAMPLES, FRAMES, st.sampled_from(list(LAWS)), st.sampled_from(list(TWISTS)), ENDS, ENDS
-)
-def test_every_sweep_is_a_solid(contour, trajectory, samples, frame, scale, twist, start, end):
+    contours(), trajectories(), SAMPLES, FRAMES, st.sampled_from(list(LAWS)), st.sampled_from(list(TWISTS)), ENDS, ENDS,
+    st.sampled_from(Fit),
+)  # fmt: skip
+def test_every_sweep_is_a_solid(contour, trajectory, samples, frame, scale, twist, start, end, fit):
     """Each cap adds 1 - holes of each of its islands to the Euler characteristic, each tip 1, walls nothing."""
     contour, islands = contour
     closed, total = trajectory.closed, trajectory.length()
     assume(total > 0.45)
     assume(not closed or (LAWS[scale][0] is not None and TWISTS[twist]))
-    mesh = GeneralizedCylinder(contour, trajectory, samples, frame, scale, scale, twist, start=start, end=end).mesh()
+    sweep = GeneralizedCylinder(contour, trajectory, samples, frame, scale, scale, twist, start=start, end=end, fit=fit)
+    try:
+        mesh = sweep.mesh()
+    except ShapeError as refusal:
+        assert fit is not Fit.INSCRIBED and refusal.key in ("fit", "samples")
+        return
 
     if closed:
         assert_solid(mesh, euler=LAWS[scale][0])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fit: how the polygon that is swept stands to the curve of its contour."""
+"""Fit: how a mesh stands to the true shape, and first the polygon that is swept to the curve of its contour."""
 
 from dataclasses import replace
 from enum import Enum
@@ -15,9 +15,9 @@ CLOSE = 1e-9  # of the area: a worse one is wrong
 
 
 class Fit(Enum):
-    INSCRIBED = "The corners lie on the curve"
-    AREA_TRUE = "The polygon has the area of the curve"
-    CIRCUMSCRIBED = "The polygon contains the curve"
+    INSCRIBED = "The vertices lie on the true shape"
+    AREA_TRUE = "The contour has the true area, the mesh the true volume, however coarse they are"
+    CIRCUMSCRIBED = "The mesh contains the true shape"
 
 
 def fitted(contour, fit):
