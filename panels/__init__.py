@@ -5,12 +5,13 @@
 import bpy
 from bpy.utils import register_classes_factory
 
-from . import add_menu, sidebar
+from . import add_menu, frames, sidebar
 
 register_classes, unregister_classes = register_classes_factory((*add_menu.MENUS, sidebar.VIEW3D_PT_sweep))
 
 
 def register():
+    frames.register()
     register_classes()
     bpy.types.VIEW3D_MT_mesh_add.append(add_menu.draw_in_mesh_add)
     bpy.types.VIEW3D_MT_object_convert.append(add_menu.draw_in_convert)
@@ -20,3 +21,4 @@ def unregister():
     bpy.types.VIEW3D_MT_object_convert.remove(add_menu.draw_in_convert)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_menu.draw_in_mesh_add)
     unregister_classes()
+    frames.unregister()

@@ -65,7 +65,9 @@ def draw_sweep(layout, context, mesh, say):
     column.use_property_decorate = True
     if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
         say(column, "Hold Alt to change all.", "INFO")
-    declared_layout.draw(column, group, parameters(shape))
+    bodies = declared_layout.draw(column, group, parameters(shape))
+    if "Frame" in bodies:
+        bodies["Frame"].prop(context.window_manager, "sweep_show_frames")
     row = layout.row(align=True)
     for parameter in ("trajectory", "contour"):
         row.operator("object.sweep_edit_as_curve", text=f"Edit {parameter.title()}").parameter = parameter

@@ -9,7 +9,10 @@ TYPED = 400  # characters of a list that can still be read and typed as text
 
 
 def draw(layout, group, declared):
-    """Every parameter; those of one group in a sub-panel that starts folded, below those of none."""
+    """Every parameter; those of one group in a sub-panel that starts folded, below those of none.
+
+    Returns the bodies of the open sub-panels, by the groups' names.
+    """
     bodies = {"": layout}
     for p in sorted(declared, key=lambda p: bool(p.group)):
         if p.group not in bodies:
@@ -18,6 +21,7 @@ def draw(layout, group, declared):
             bodies[p.group] = body
         if bodies[p.group]:
             draw_one(bodies[p.group], group, p, p.name)
+    return {name: body for name, body in bodies.items() if body}
 
 
 def draw_one(layout, group, p, name):

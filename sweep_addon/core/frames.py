@@ -7,6 +7,7 @@ and extra turns are all added to it. Round a closed trajectory it grows by whole
 contour to itself, of which there are ``symmetry`` in a whole one.
 """
 
+from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from math import tau
@@ -23,6 +24,31 @@ from .vectors import unit
 PLACES = 2049  # where it is looked at how a frame turns
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
+
+
+@dataclass(frozen=True, eq=False)
+class Frames:
+    """Frames and contours at places along a sweep.
+
+    Parameters
+    ----------
+    u, s : (n,) float array
+        The trajectory's own parameter and the arc length in metres.
+    points : (n, 3) float array
+        The trajectory there.
+    e1, e2, e3 : (n, 3) float array
+        The unit tangent, at a corner the bisector, and the axes of the contour as the twist has turned them.
+    contours : tuple of (n, m, 3) float arrays
+        For each loop of the contour its points at each place, inscribed; the last leads back to the first.
+    """
+
+    u: np.ndarray
+    s: np.ndarray
+    points: np.ndarray
+    e1: np.ndarray
+    e2: np.ndarray
+    e3: np.ndarray
+    contours: tuple
 
 
 class Continuation(Enum):

@@ -15,12 +15,12 @@ from .contours import Circle, Contour, Fit, fitted
 from .domes import domes_of, with_domes
 from .enclosing import enclosing, halfway
 from .ends import End, Flat, Round, Taper
-from .frames import Frame, RotationMinimizing, axes
+from .frames import Frame, Frames, RotationMinimizing, axes
 from .grid import Grid
 from .laws import Law
 from .mesh import Mesh
 from .parameters import angle, at, declared, parameter, require
-from .sampling import Sampling, Tolerance, place
+from .sampling import Count, Sampling, Tolerance, place
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import unit
@@ -94,9 +94,8 @@ class GeneralizedCylinder:
             told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
         along, symmetry = self.along(section, ends)
         reach = float(np.linalg.norm(section.points, axis=1).max())
-        if len(along.trajectory.too_sharp):
-            path, limit = along.trajectory.limited(reach * along.largest)
-            along, told = replace(along, trajectory=path), (*told, limit)
+        along, limit = bevelled(along, reach)
+        told += limit
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, closed)
@@ -140,6 +139,41 @@ class GeneralizedCylinder:
         chart = Chart(grid, u, s, stations.total, around, ends, self.texture, self.attributes)
         return Mesh(drawn(rings, shape, points, dtype), grid.topology(), chart, told + said + warned)
 
+    def frames(self, most=100):
+        """The frames and contours at places spread evenly along the trajectory.
+
+        Parameters
+        ----------
+        most : int
+            Of places; where the trajectory is short they are no closer than the contour is large. Corners come first.
+
+        Returns
+        -------
+        Frames
+
+        Examples
+        --------
+        >>> from sweep_addon.core.trajectories import Line
+        >>> frames = GeneralizedCylinder(Circle(0.5), Line(end=(0, 0, 2))).frames()
+        >>> frames.points[:, 2].tolist(), frames.e1[0].tolist(), frames.contours[0].shape
+        ([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.0, 1.0], (5, 64, 3))
+        """
+        section, closed = section_of(self.contour, Fit.INSCRIBED), self.trajectory.closed
+        along, symmetry = self.along(section, (Flat(), Flat()) if closed else (self.start, self.end))
+        reach = float(np.linalg.norm(section.points, axis=1).max())
+        along, _ = bevelled(along, reach)
+        steps = arc_length(along.trajectory).total / max(reach * along.largest, ROUNDING)
+        stations = place(along.trajectory, Count(int(np.clip(steps + (not closed), 2, most))))
+        scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
+        e2, e3, _ = axes(self.frame, stations, twist, symmetry)
+        rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
+        shown = np.unique(np.linspace(0, len(stations.s) - 1, min(most, len(stations.s))).round().astype(int))
+        middle, x, y = rings[:, shown, None]
+        points = middle + x * section.points[:, :1] + y * section.points[:, 1:]
+        loops = tuple(np.split(points, section.offsets[1:-1], axis=1))
+        held = (stations.u, stations.s, stations.points, stations.tangent, e2, e3)
+        return Frames(*(values[shown] for values in held), loops)
+
     def along(self, section, ends):
         """The laws of the sweep, and in how many turns the section is mapped to itself as they leave it."""
         with at("trajectory"):
@@ -155,6 +189,14 @@ class GeneralizedCylinder:
 def section_of(contour, fit):
     """The section of a contour, made once for equal ones, and with it what is known of it."""
     return fitted(contour, fit)
+
+
+def bevelled(along, reach):
+    """The laws along a path whose mitres beyond their limit are bevelled, and a sentence that says so."""
+    if not len(along.trajectory.too_sharp):
+        return along, ()
+    path, limit = along.trajectory.limited(reach * along.largest)
+    return replace(along, trajectory=path), (limit,)
 
 
 @lru_cache(maxsize=16)

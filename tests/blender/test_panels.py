@@ -76,6 +76,7 @@ def drawn(ob=None, mode="OBJECT", width=300, folded=False, others=()):
         preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),  # without a window it is 0
         selected_objects=[*([ob] if ob else []), *others],
         scene=bpy.context.scene,
+        window_manager=bpy.context.window_manager,
         view_layer=bpy.context.view_layer,
     )
     layout = Layout(folded=folded)
