@@ -116,7 +116,9 @@ class Along:
         if np.any(offset):
             return 1
         alike = np.abs(np.abs(scale_x) - np.abs(scale_y)).max() <= ALIKE * self.largest
-        return section.symmetry if alike else gcd(section.symmetry, 2)
+        if alike:
+            return 1 if section.is_round else section.symmetry
+        return gcd(section.symmetry, 2)
 
     def crossings(self):
         """Arc lengths where the scale along e2 passes zero, by bisection of all of them at once."""

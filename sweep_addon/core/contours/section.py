@@ -158,6 +158,11 @@ class Section:
         """In how many turns about the reference point the section is mapped to itself; 1 if by none but a whole one."""
         return symmetry(self)
 
+    @cached_property
+    def is_round(self):
+        """Whether no turn can be seen: smooth loops, each mapped to itself by as many turns as it has points."""
+        return not self.sharp.any() and bool((np.diff(self.offsets) == self.symmetry).all())
+
     def reversed(self, which):
         """The section with the loops where (k,) bools say so run backwards, each from the same first point."""
         first = self.offsets[:-1][self.loop_of]
