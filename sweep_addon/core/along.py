@@ -104,6 +104,10 @@ class Along:
         """The largest scale anywhere along the trajectory."""
         return float(np.abs(self.everywhere()[:2]).max())
 
+    def farthest(self, reach):
+        """How far from the trajectory a contour gets that reaches so far from its reference point, in metres."""
+        return reach * self.largest + float(np.hypot(*self.everywhere()[3:]).max())
+
     def everywhere(self):
         """The values of `LAWS` all along the trajectory, those of constant ones once: five (n,)."""
         if self.is_constant:

@@ -195,7 +195,7 @@ def bevelled(along, reach):
     """The laws along a path whose mitres beyond their limit are bevelled, and a sentence that says so."""
     if not len(along.trajectory.too_sharp):
         return along, ()
-    path, limit = along.trajectory.limited(reach * along.largest)
+    path, limit = along.trajectory.limited(along.farthest(reach))
     return replace(along, trajectory=path), (limit,)
 
 

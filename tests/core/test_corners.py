@@ -154,6 +154,16 @@ def test_a_mitre_limit_is_that_of_svg(degrees):
     assert told == f"Corner: {said}; it is bevelled."
 
 
+@pytest.mark.parametrize("degrees", ANGLES[2:])
+@pytest.mark.parametrize("contour", [Circle(0.1, points=9), Rectangle(0.2, 0.1)])
+def test_a_bevel_for_a_mitre_has_the_volume_of_the_path_cut_where_the_scaled_contour_reaches(contour, degrees):
+    """Cut by reach times the tangent of a quarter of the turn."""
+    turn, reach = np.radians(degrees), 2 * np.linalg.norm(contour.section().points, axis=1).max()
+    mesh = GeneralizedCylinder(contour, elbow(degrees, Mitre(1.1)), scale_x=2, scale_y=2).mesh()
+    length = elbow(degrees, Bevel(reach * np.tan(turn / 4))).length()
+    assert mesh.told and mesh.volume() == pytest.approx(4 * contour.section().area * length, rel=1e-12)
+
+
 def test_all_mitres_beyond_the_limit_are_bevelled_and_the_first_is_named():
     path = Polyline([(0, 0, 0), (1, 0, 0), (2, 0.1, 0), (1, 0.2, 0), (2, 0.3, 0), (3, 0.3, 0)], corner=Mitre(4))
     tube = GeneralizedCylinder(Circle(0.01), path)
@@ -187,6 +197,18 @@ def test_corners_that_do_not_fit_are_refused_with_the_largest_that_do(corner, fa
     assert_solid(GeneralizedCylinder(Circle(0.05 * far, 8), fitting, Tolerance(1e-3 * far)).mesh(), euler=2)
     as_blender_keeps_it = float(np.float32(0.5 * far)) * (1 + 6e-8)
     assert Polyline(path, corner=corner(as_blender_keeps_it)).length() == pytest.approx(fitting.length(), rel=1e-7)
+
+
+@pytest.mark.parametrize("corner", [Round, Bevel])
+def test_the_number_that_a_refusal_names_is_taken(corner):
+    """Whether it is typed as it is written or kept by Blender in single precision."""
+    for points in np.random.default_rng(3).normal(size=(50, 5, 3)):
+        with pytest.raises(ShapeError) as refusal:
+            Polyline(points, True, corner(1e9))
+        most = float(refusal.value.sentence.split("at most ")[1].split()[0])
+        for taken in (most, float(np.float32(most))):
+            path = Polyline(points, True, corner(taken))
+            assert path.evaluate(np.array([0.0, 5.0]))[0] == pytest.approx(path.evaluate(np.array([5.0]))[0])
 
 
 @pytest.mark.parametrize("corner", [Round(1e-9), Bevel(1e-9)])

@@ -166,6 +166,13 @@ def test_texture_and_arc_length_go_on_over_the_dome_and_u_does_not():
     assert np.abs(along[meridians, 0]) == pytest.approx(np.linalg.norm(ends[meridians], axis=1), abs=1e-12)
 
 
+def test_a_unit_texture_covers_the_domes_too():
+    for given in ({}, {"start": Flat()}, {"end": Taper(0.5)}):
+        mesh = pill(texture="unit", **given).mesh()
+        sides = np.repeat(np.diff(mesh.offsets), np.diff(mesh.offsets)) < 5
+        assert np.abs(mesh.uv[sides].min(axis=0)).max() < 1e-15 and np.abs(mesh.uv[sides].max(axis=0) - 1).max() < 1e-15
+
+
 def test_a_dome_is_smooth_and_has_the_material_of_caps():
     mesh = pill(Circle(0.5, 16), Count(4), start=Flat()).mesh()
     face = np.repeat(np.arange(len(mesh.offsets) - 1), np.diff(mesh.offsets))

@@ -13,7 +13,7 @@ from .curve import NONE, SHARPEST
 from .legs import Cut, Legs
 
 INVISIBLE = 1e-7  # of the whole path: a corner that would take less of its legs is left as it is
-ROUNDING = 1e-7  # of a leg, by which single precision, and the number that a refusal shows, may be too long
+ROUNDING = 1e-6  # of a leg, by which single precision, and the number that a refusal shows, may be too long
 TAKEN = 1 / 3  # of the shorter leg: what a mitre beyond its limit may take
 
 
