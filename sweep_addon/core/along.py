@@ -8,12 +8,12 @@ from math import gcd
 
 import numpy as np
 
+from .cells import WIDEST_TURN
 from .contours.symmetry import ALIKE
 from .ends import Taper
 from .frames import turn
 from .laws import Constant, Law
 from .parameters import LARGEST, ShapeError, at, require
-from .sampling import WIDEST_TURN
 from .trajectories.arc_length import arc_length
 
 NOTHING = 1e-7  # of the largest scale: single precision cannot tell a contour this small from a point
@@ -151,14 +151,14 @@ class Along:
         return middle[np.abs(self.at(middle)[0]) <= NOTHING * size.max()] if len(low) else middle
 
     def density(self, reach):
-        """Steps per metre that laws and frame ask for, as a function of arc length and chord tolerance.
+        """Steps per metre that laws and frame ask for, as a function of arc length, parameter and chord tolerance.
 
         The outermost point of the contour, ``reach`` metres out, bends by reach * twist'^2 and reach * scale'', and
         with the reference point on its way beside the trajectory.
         """
 
-        def steps(s, chord):
-            scale_x, scale_y, twist, *offset = self.at(s)
+        def steps(s, u, chord):
+            scale_x, scale_y, twist, *offset = self.at(s, u)
             twist = twist + self.spin / s[-1] * s
             if self.frame is not None:
                 twist += np.interp(s, *turn(self.frame, self.trajectory))

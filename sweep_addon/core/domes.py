@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .cells import WIDEST_TURN
 from .ends import Round
 from .parameters import at, require
-from .sampling import WIDEST_TURN, Tolerance
+from .sampling import Tolerance
 
 SEEN = 1e-9  # of the contour's size squared: what the centroid must see of every edge
 

@@ -12,8 +12,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from .cells import bend
 from .parameters import ShapeError
-from .sampling import bend
 from .trajectories.arc_length import arc_length, subdivided
 from .vectors import norms
 

@@ -7,19 +7,15 @@ from functools import cached_property
 
 import numpy as np
 
+from .cells import bend, cells
 from .parameters import ShapeError, count, declared, length, require
-from .trajectories.arc_length import arc_length, subdivided
+from .trajectories.arc_length import arc_length
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import norms, unit
 
 MOST_STATIONS = 200_000
-WIDEST_TURN = np.radians(30)  # a bend or a twist in one step; more looks broken at any tolerance
 FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
-CELLS = 2048  # at least, in which the curvature is looked at
-RESERVE = 0.98  # of the tolerance, for what the curvature changes within a step
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
-NOISE = 64 * np.finfo(float).eps  # of the largest derivative: the rounding of any
-ROUNDING = 1e-13  # of the length: differences over less are noise
 
 
 @declared
@@ -116,7 +112,7 @@ def place(trajectory, sampling, marks=(), extra=None):
     marks : sequence of float
         Arc lengths in metres where there must be a station whatever the sampling says.
     extra : callable, optional
-        From arc lengths (k,) to additional density (k,), in the unit of curvature, 1/m: what a twist or a change of
+        From arc lengths (k,), parameters (k,) and a tolerance to steps per metre (k,): what a twist or a change of
         scale asks for beyond the bends of the trajectory.
 
     Returns
@@ -193,28 +189,6 @@ def spread(trajectory, ends, chord, extra):
     return pieces(ends, steps, arc_lengths if mean > 0 else evenly)
 
 
-def cells(trajectory, chord, extra):
-    """Arc lengths between small cells, from 0 to the whole, and the steps that each cell asks for: (k + 1,) and (k,).
-
-    A cell bends as the more bent one of its ends, so that no chord is too far away; but where that is a peak, as beside
-    a cusp, by no more than half a turn.
-    """
-    measure = arc_length(trajectory)
-    u = subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
-    width = measure.measure(u[:-1], u[1:])
-    kept = width > ROUNDING * measure.total  # a trajectory may stand still
-    width, u = width[kept], np.stack((u[:-1], u[1:]))[:, kept]
-    grid = np.concatenate(([0.0], np.cumsum(width)))
-    grid[-1] = measure.total
-    turns = [norms(bend(trajectory, u[end], end == 1)) * width for end in (0, 1)]
-    turn = np.minimum(np.maximum(*turns), np.maximum(np.minimum(*turns), np.pi))
-    steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_TURN)
-    if extra is not None:
-        density = extra(grid, RESERVE * chord)
-        steps = np.hypot(steps, np.maximum(density[1:], density[:-1]) * width)
-    return grid, steps
-
-
 def pieces(ends, steps, arc_lengths):
     """All stations of all pieces, each cut into its number of steps; the ends themselves are exact."""
     first = np.cumsum(steps) - steps
@@ -223,21 +197,6 @@ def pieces(ends, steps, arc_lengths):
     s = arc_lengths(piece, within / steps[piece])
     s[first] = ends[:-1]
     return np.append(s, ends[-1])
-
-
-def bend(trajectory, u, before=False):
-    """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared.
-
-    Where p' nearly vanishes, as beside a Bezier knot whose handle lies on it, rounding turns it, and with it a part of
-    p'' across: what is no more than that is no bend.
-    """
-    first, second = trajectory.derivative(u, 1, before), trajectory.derivative(u, 2, before)
-    squared = np.einsum("ij,ij->i", first, first)[:, None]
-    squared = np.where(squared > 0, squared, np.inf)
-    across = second - np.einsum("ij,ij->i", first, second)[:, None] / squared * first
-    noise = NOISE * np.abs(first).max(initial=0.0) * norms(second) / np.sqrt(squared[:, 0])
-    across[norms(across) <= noise] = 0.0
-    return across / squared
 
 
 def stations(trajectory, s):

@@ -8,13 +8,14 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from solids import CENTRELINES, GLYPHS, KNOTS, assert_solid, box, ngon
 
+from sweep_addon.core.cells import bend
 from sweep_addon.core.contours import Circle, Fit, Outline, Rectangle
 from sweep_addon.core.ends import Flat, Open, Taper
 from sweep_addon.core.expressions import compile
 from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance, bend
+from sweep_addon.core.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 
 SIZE = 0.05  # of the contours below, small against the trajectories, so that no bend turns the solid inside out

@@ -181,3 +181,17 @@ def test_parameters_and_points_of_the_stations_belong_together():
         assert np.abs(arc_length(trajectory).at(stations.u) - stations.s).max() < 1e-13 * stations.total
         assert stations.t[0] == 0 and (np.diff(stations.t) > 0).all()
         assert (stations.t[-1] == 1) == (not trajectory.closed)
+
+
+@pytest.mark.parametrize("waves", [3, 100, 1000, 1024, 2048, 2049, 6144, 7001])
+def test_a_law_that_changes_often_is_followed_as_one_that_changes_rarely(waves):
+    """A ripple of any number of waves takes as many contours for each, and its chords keep the tolerance."""
+    length, chord = 0.01 * waves, 1e-5
+    ripple = f"1 + 0.1*sin(2*pi*{waves}*t)"
+    path = Line(end=(0, 0, length))
+    mesh = GeneralizedCylinder(Circle(0.01, points=3), path, Tolerance(chord), scale_x=ripple, scale_y=ripple).mesh()
+    x, y, z = mesh.vertices[: mesh.rings].T
+    middle, radius = (z[1:] + z[:-1]) / 2, np.hypot(x, y)
+    off = (radius[1:] + radius[:-1]) / 2 - 0.01 * (1 + 0.1 * np.sin(2 * np.pi * middle / 0.01))
+    assert np.abs(off).max() < 1.05 * chord
+    assert mesh.rings / waves == pytest.approx(26, rel=0.2)
