@@ -72,8 +72,8 @@ def flattened(trajectory):
     measure = arc_length(trajectory)
     size = np.ptp(trajectory.points.values, axis=0).max()
 
-    def turning(s, chord):
-        return np.linalg.norm(bend(trajectory, measure.parameter(s)), axis=1) / GENTLE
+    def turning(s, u, chord):
+        return np.linalg.norm(bend(trajectory, u), axis=1) / GENTLE
 
     tolerance = Tolerance(max(size / 1000, 1e-9))
     return place(trajectory, tolerance, measure.at(trajectory.joints()), turning).points[:, :2]
