@@ -9,6 +9,11 @@ from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.forms import dump, python_source
 from ..sweep_addon.core.parameters import ShapeError
 
+FORMS = [
+    ("PYTHON", "Python", "A line for Blender's Python console, input curves written into it"),
+    ("JOB", "Job", "A job file for the command line and render farms, input curves written into it"),
+]
+
 
 class OBJECT_OT_sweep_copy(Operator):
     """Copy the active sweep to the clipboard as text that makes it again"""
@@ -17,19 +22,12 @@ class OBJECT_OT_sweep_copy(Operator):
     bl_label = "Copy Sweep"
     bl_options = {"REGISTER"}
 
-    form: EnumProperty(
-        name="Form",
-        description="The language of the text",
-        items=[
-            ("PYTHON", "Python", "A line for Blender's Python console, input curves written into it"),
-            ("JOB", "Job", "A job file for the command line and render farms, input curves written into it"),
-        ],
-    )
+    form: EnumProperty(name="Form", description="The language of the text", items=FORMS)
 
     @classmethod
     def description(cls, context, properties):
-        item = cls.bl_rna.properties["form"].enum_items[properties.form]
-        return f"Copy as {item.name}. {item.description}"
+        name, does = next((name, does) for form, name, does in FORMS if form == properties.form)
+        return f"Copy as {name}. {does}"
 
     @classmethod
     def poll(cls, context):

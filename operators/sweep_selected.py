@@ -22,7 +22,7 @@ class OBJECT_OT_sweep_selected(Operator):
     @classmethod
     def poll(cls, context):
         chosen = inputs(context) if context.mode == "OBJECT" else []
-        if any(ob.type == "CURVE" for ob in chosen) and len(chosen) <= 2:
+        if any(ob.type == "CURVE" for ob in chosen) and (len(chosen) == 1 or active_of_two(context, chosen)):
             return True
         cls.poll_message_set("Select a curve to sweep along, or two: the contour active, the trajectory with it")
         return False
@@ -41,6 +41,11 @@ class OBJECT_OT_sweep_selected(Operator):
 def inputs(context):
     """The selected curves and texts."""
     return [ob for ob in context.selected_objects if ob.type in {"CURVE", "FONT"}]
+
+
+def active_of_two(context, chosen):
+    """Whether there are two, of which one is active."""
+    return len(chosen) == 2 and context.view_layer.objects.active in chosen
 
 
 def roles(context, swap):

@@ -76,6 +76,9 @@ def variable():
         return None
     if not shutil.which(program):
         raise SetupError(f"BLENDER must be the path of a Blender executable, got {program!r}")
+    if version(program) < OLDEST:
+        oldest = ".".join(map(str, OLDEST))
+        raise SetupError(f"BLENDER must be a Blender of version {oldest} or newer, got {program!r}, which is none")
     return Blender(f"$BLENDER, {program}", (program,))
 
 

@@ -33,7 +33,7 @@ def draw_one(layout, group, p, name):
         layout.prop(group, name)
         return
     column = layout.column(align=True)
-    column.prop(group, name)
+    column.prop(group, name, text="" if label(p) == p.group else label(p))  # its sub-panel may have said it
     chosen = getattr(group, name)
     kind = chosen_kinds(p).get(chosen)
     if kind is None:
@@ -46,7 +46,7 @@ def draw_one(layout, group, p, name):
         if q.kinds or q.is_list:
             draw_one(column, group, q, f"{name}_{spelled(kind, '_')}_{q.name}")
         else:
-            column.prop(group, f"{name}_{spelled(kind, '_')}_{q.name}", text="" if q.shorthand else label(q))
+            column.prop(group, f"{name}_{spelled(kind, '_')}_{q.name}", text=" " if q.shorthand else label(q))
 
 
 def draw_beside(layout, group, p, name):
@@ -63,7 +63,7 @@ def draw_list(layout, group, p, name):
     """A law's few points are text to type in; of any other list, how long it is."""
     text = getattr(group, name)
     if p.shorthand and len(text) <= TYPED:
-        layout.prop(group, name, text="")
+        layout.prop(group, name, text=" ")
         return
     values = listed(text)
     size = len(values) if isinstance(values, list) else 0  # somebody may have written any text there

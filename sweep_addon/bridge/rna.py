@@ -51,12 +51,13 @@ def define(p, pointers, common):
         maker = bpy.props.BoolProperty if p.type is bool else bpy.props.StringProperty
         return maker(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
     widest = WIDEST[p.type is int]
-    lowest = max(p.minimum, p.above, -widest)  # the limit itself too: it is refused in the value's own words
-    limits = {"min": lowest, "max": min(p.maximum, widest)}
+    # A slider stops at the limits. What is set beyond is not made to fit: it is refused in the value's own words.
+    lowest, highest = max(p.minimum, p.above, -widest), p.maximum if p.soft_maximum is None else p.soft_maximum
+    limits = {"min": lowest, "max": min(p.maximum + 1, widest)}
     if p.above > p.minimum:
         limits["soft_min"] = p.above + SMALLEST
-    if p.soft_maximum is not None:
-        limits["soft_max"] = p.soft_maximum
+    if highest < widest:
+        limits["soft_max"] = highest
     if p.type is int:
         return bpy.props.IntProperty(**common, **{key: int(value) for key, value in limits.items()})
     common |= {**limits, "unit": UNITS[p.unit], "precision": 3, "step": 1 if p.unit == "length" else 10}
@@ -66,9 +67,9 @@ def define(p, pointers, common):
 
 
 def item(choice, doc):
-    """An enum's item. Its number is saved in files and goes through float32 in keyframes: from the name, 24 bits."""
+    """An enum's item. Its number, from the name, is saved in files; keyframes add a half to it in float32: 23 bits."""
     name = spelled(choice, "_")
-    return name.upper(), name.replace("_", " ").title(), doc, zlib.crc32(name.encode()) % 2**24
+    return name.upper(), name.replace("_", " ").title(), doc, zlib.crc32(name.encode()) % 2**23
 
 
 def only(types):

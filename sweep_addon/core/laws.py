@@ -45,6 +45,11 @@ class Formula:
     def check(self):
         compile(self.text, NAMES)
 
+    @classmethod
+    def like(cls, law):
+        """The formula that says what a constant does, or nothing."""
+        return cls(f"{law.value:g}") if isinstance(law, Constant) else None
+
     @property
     def is_constant(self):
         return not compile(self.text, NAMES).names
@@ -72,6 +77,11 @@ class Points:
     def check(self):
         t = self.points.values[:, 0]
         require((np.diff(t) > CLOSEST).all(), "must have t rising from point to point", t.tolist())
+
+    @classmethod
+    def like(cls, law):
+        """The points that say what a constant does, or nothing."""
+        return cls([(0, law.value), (1, law.value)]) if isinstance(law, Constant) else None
 
     @property
     def is_constant(self):

@@ -202,7 +202,8 @@ def parameters(cls):
 @cache
 def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
-    default = union.default if isinstance(union.default, kind) else None
+    likened = getattr(kind, "like", lambda other: None)
+    default = union.default if isinstance(union.default, kind) else likened(union.default)
     return tuple(
         replace(
             p,

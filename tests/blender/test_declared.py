@@ -62,7 +62,7 @@ def test_numbers_have_unit_limits_and_default_of_the_declaration(shape):
             assert found.default == pytest.approx(p.default)
             widest = 2**31 - 1 if p.type is int else float(np.finfo(np.float32).max)
             assert found.hard_min == pytest.approx(max(p.minimum, p.above, -widest))
-            assert found.hard_max == pytest.approx(min(p.maximum, widest))
+            assert found.hard_max == pytest.approx(min(p.maximum + 1, widest))
             assert found.soft_min > p.above
             assert p.soft_maximum is None or found.soft_max == pytest.approx(p.soft_maximum)
 
@@ -84,18 +84,33 @@ def test_unions_are_enums_of_their_kinds_and_of_an_object_where_one_can_be_read(
 
 
 def test_numbers_of_enum_items_are_those_of_their_names(shape):
-    """They are stored in files and keyframes, whose values are float32: whole up to 2 to the 24th."""
+    """They are stored in files and keyframes, whose values are float32 and rounded by adding a half: 23 bits."""
     for known in groups(shape):
         for name in properties(shape):
             if known[name].type == "ENUM":
                 numbers = [item.value for item in known[name].enum_items]
-                assert len(set(numbers)) == len(numbers) and all(0 <= number < 2**24 for number in numbers)
+                assert len(set(numbers)) == len(numbers) and all(0 <= number < 2**23 for number in numbers)
+
+
+def test_a_keyframe_of_any_choice_is_that_choice_again(scene, shape):
+    ob = sw.to_object(shape())
+    group = getattr(ob.data.sweep, spelled(shape, "_"))
+    for name, known in groups(shape)[0].items():
+        if known.type == "ENUM":
+            for number, item in enumerate(known.enum_items):
+                setattr(group, name, item.identifier)
+                group.keyframe_insert(name, frame=number)
+    for frame in range(12):
+        bpy.context.scene.frame_set(frame)
+        for name, known in groups(shape)[0].items():
+            if known.type == "ENUM" and frame < len(known.enum_items):
+                assert getattr(group, name) == known.enum_items[frame].identifier
 
 
 def test_numbers_of_enum_items_are_those_in_files_that_exist(scene):
     group, _ = groups(sw.GeneralizedCylinder)
     numbers = {item.identifier: item.value for item in group["contour"].enum_items}
-    assert [numbers[key] for key in ("CIRCLE", "RECTANGLE", "OUTLINE", "OBJECT")] == [12019065, 1702553, 8344293, 0]
+    assert [numbers[key] for key in ("CIRCLE", "RECTANGLE", "OUTLINE", "OBJECT")] == [3630457, 1702553, 8344293, 0]
 
 
 @pytest.mark.parametrize("preset", [preset.name for preset in presets.PRESETS])

@@ -82,6 +82,8 @@ def test_refused_shape_leaves_nothing_behind(scene):
     before = known()
     with pytest.raises(RuntimeError, match="contour.radius: must be more than 0, got 0"):
         bpy.ops.mesh.generalized_cylinder_add(contour_circle_radius=0)
+    with pytest.raises(RuntimeError, match="samples.contours: must be at most 200000, got "):
+        bpy.ops.mesh.generalized_cylinder_add(samples="COUNT", samples_count_contours=10**9)
     assert known() == before
 
 
@@ -138,6 +140,9 @@ def test_sweep_selected_says_what_to_select(scene):
     select(text("I"))
     refused(bpy.ops.object.sweep_selected, sentence)
     select(straight(), square(), text("I"))
+    refused(bpy.ops.object.sweep_selected, sentence)
+    select(straight(), square())
+    bpy.context.view_layer.objects.active = None  # neither of them is the contour
     refused(bpy.ops.object.sweep_selected, sentence)
 
 
@@ -239,6 +244,13 @@ def test_operator_and_its_options_have_tooltips_and_what_changes_something_is_un
     theirs = {"rna_type", "align", "location", "rotation"}  # Blender's own, without words
     assert all(option.description for option in known.properties if option.identifier not in theirs)
     assert ("UNDO" in getattr(bpy.types, f"{space.upper()}_OT_{verb}").bl_options) == undo
+
+
+def test_both_copy_buttons_say_what_they_copy():
+    python, job = (
+        bpy.types.OBJECT_OT_sweep_copy.description(None, SimpleNamespace(form=form)) for form in ("PYTHON", "JOB")
+    )
+    assert python.startswith("Copy as Python. A line for ") and job.startswith("Copy as Job. A job file ")
 
 
 @pytest.mark.parametrize("add", ["bezier_curve", "bezier_circle", "nurbs_curve", "nurbs_circle", "nurbs_path"])

@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.laws import Constant, Formula, Law, Points
-from sweep_addon.core.parameters import Parameter, ShapeError, coerce
+from sweep_addon.core.parameters import Array, Parameter, ShapeError, coerce, inside, parameters
 
 T = np.linspace(0, 1, 101)
 SCALE = Parameter("scale_x", Law, Constant(1.0))
@@ -75,6 +76,14 @@ def test_what_is_no_law_is_refused_when_it_is_made(given, sentence):
     with pytest.raises(ShapeError) as refusal:
         coerce(SCALE, given)
     assert str(refusal.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(("key", "value"), [("scale_x", 1), ("twist", 0), ("offset_y", 0)])
+def test_a_law_of_another_kind_starts_as_the_constant_that_is_the_default(key, value):
+    """Whoever changes the kind in a list must not see the sweep jump."""
+    law = next(p for p in parameters(GeneralizedCylinder) if p.name == key)
+    (text,), (points,) = inside(law, Formula), inside(law, Points)
+    assert text.default == str(value) and points.default == Array([(0, value), (1, value)])
 
 
 def test_a_value_that_is_not_finite_is_refused_with_its_place():

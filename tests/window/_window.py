@@ -121,7 +121,17 @@ class Person:
 
 
 def run(session):
-    """Run a session step by step on a timer, and leave with 0 or, after a picture of the failure, with 1."""
+    """Run a session step by step on a timer, and leave with 0 or, after a picture of the failure, with 1.
+
+    It has failed too where a callback of the extension raised, as a tooltip may: Blender shows that on the terminal alone.
+    """
+    raised = []
+
+    def hook(*error):
+        traceback.print_exception(*error)
+        raised.append(error)
+
+    sys.excepthook = hook
     bpy.context.preferences.view.show_splash = False
     person = Person()
     steps = session(person)
@@ -130,7 +140,7 @@ def run(session):
         try:
             return next(steps)
         except StopIteration:
-            leave(0)
+            leave(bool(raised))
         except BaseException:
             traceback.print_exc()
             subprocess.run(["import", "-window", "root", str(PICTURES / f"{session.__name__}-failed.png")], check=False)
