@@ -123,7 +123,7 @@ class Person:
 def run(session):
     """Run a session step by step on a timer, and leave with 0 or, after a picture of the failure, with 1.
 
-    It has failed too where a callback of the extension raised, as a tooltip may: Blender shows that on the terminal alone.
+    It has failed too where a callback raised, as a tooltip may: Blender shows that on the terminal alone.
     """
     raised = []
 
