@@ -30,7 +30,7 @@ def radii(name, s):
 def test_presets_are_these_and_sizes_are_in_order():
     single = [preset.name for preset in presets.PRESETS if not preset.group]
     threads = [preset.title for preset in presets.PRESETS if preset.group == "screw_thread"]
-    assert single == sorted(single) and len(single) >= 11
+    assert single == sorted(single) and len(single) >= 12
     assert threads == [f"Screw Thread M{size}" for size in (3, 4, 5, 6, 8, 10, 12, 16, 20, 24)]
     assert len({preset.doc for preset in presets.PRESETS}) == len(ALL)
 
@@ -117,3 +117,17 @@ def test_ribbon_is_as_long_and_as_wide_as_the_norm_asks():
     shape = presets.shape("ribbon")
     assert 6.0 <= shape.trajectory.length() <= 6.1
     assert 0.04 <= shape.contour.height <= 0.06
+
+
+def test_handrail_keeps_the_distances_of_the_ada_standards():
+    """2010 ADA Standards, 504 and 505, in millimetres: clear of the wall, above the nosings, beyond the last steps."""
+    shape = presets.shape("handrail")
+    rail = place(shape.trajectory, shape.samples)
+    x, y, z = 1000 * rail.points.T
+    thick = 2000 * shape.contour.radius
+    assert 32 <= thick <= 51 and y.max() - thick / 2 == pytest.approx(38, abs=0.5)
+    nosings = np.array([(279.4 * step, 177.8 * (step + 1)) for step in range(3)])
+    above = np.interp(nosings[:, 0], x[y > 56.9], z[y > 56.9]) + thick / 2 - nosings[:, 1]
+    assert (865 <= above).all() and (above <= 965).all()
+    assert x.min() <= -279.4 and x.max() - nosings[-1, 0] >= 304.8
+    assert y[[0, -1]] == pytest.approx([0, 0], abs=1e-9)
