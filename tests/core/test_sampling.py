@@ -11,7 +11,7 @@ from sweep_addon.core.contours import Circle
 from sweep_addon.core.ends import Taper
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.sampling import Count, Tolerance, place
-from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.trajectories import Bezier, Formula, Helix, Line, Nurbs, Polyline, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 
 QUARTERS = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0)], dtype=float)
@@ -22,9 +22,10 @@ ELLIPSE = Nurbs(  # ten to one, exactly
     order=3,
     knots=[0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4],
 )
+HAIRPIN = Formula("5*cos(u)", "sin(u)/(1 + 8*cos(u)^2)", "0.2*sin(3*u)")
 CHAIN = Bezier(np.random.default_rng(1).normal(size=(13, 3)))
 S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
-SMOOTH = {"knot": KNOT, "ellipse": ELLIPSE, "chain": CHAIN, "helix": Helix()}
+SMOOTH = {"knot": KNOT, "ellipse": ELLIPSE, "hairpin": HAIRPIN, "chain": CHAIN, "helix": Helix()}
 
 
 def spans(trajectory, stations):
@@ -46,14 +47,18 @@ def distances(trajectory, stations, looks=33):
 
 
 def fewest_chords(trajectory, tolerance, looks=20_000):
-    """The theory: the integral of the square root of the curvature over that of eight tolerances."""
+    """The theory: the integral of the square root of the curvature over that of eight tolerances.
+
+    Where such a chord would turn by more than 30 degrees, that of the curvature over 30 degrees.
+    """
     joints = trajectory.joints()
     step = np.diff(joints) / looks
     u = (joints[:-1, None] + step[:, None] * (np.arange(looks) + 0.5)).ravel()
     first, second = trajectory.derivative(u), trajectory.derivative(u, 2)
     speed = np.linalg.norm(first, axis=1)
     curvature = np.linalg.norm(np.cross(first, second), axis=1) / speed**3
-    return (np.sqrt(curvature) * speed * np.repeat(step, looks)).sum() / sqrt(8 * tolerance)
+    density = np.maximum(np.sqrt(curvature / (8 * tolerance)), curvature / np.radians(30))
+    return (density * speed * np.repeat(step, looks)).sum()
 
 
 def turns(stations):
@@ -62,7 +67,7 @@ def turns(stations):
     return np.degrees(np.arccos(cosine.clip(-1, 1)))
 
 
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-4, 1e-6])
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4, 1e-6])
 @pytest.mark.parametrize("name", SMOOTH)
 def test_no_chord_is_farther_from_its_curve_than_the_tolerance(name, tolerance):
     assert distances(SMOOTH[name], place(SMOOTH[name], Tolerance(tolerance))).max() <= tolerance
@@ -76,14 +81,14 @@ def test_a_chord_from_an_inflection_is_at_most_a_seventh_farther(tolerance):
     assert farthest <= 2 / sqrt(3) * tolerance
 
 
-@pytest.mark.parametrize("tolerance", [1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
 @pytest.mark.parametrize("name", SMOOTH)
 def test_the_number_of_chords_is_within_five_percent_of_theory(name, tolerance):
-    """Each piece between corners has a step begun, so of pieces there may be one more each."""
+    """Each piece between corners has a step begun, so with corners there may be one more for each."""
     trajectory = SMOOTH[name]
-    chords = len(place(trajectory, Tolerance(tolerance)).onward)
+    chords, corners = len(place(trajectory, Tolerance(tolerance)).onward), len(trajectory.corners())
     theory = fewest_chords(trajectory, tolerance)
-    assert 0.99 * theory <= chords <= 1.05 * theory + 1 + len(trajectory.corners())
+    assert 0.99 * theory <= chords <= 1.05 * theory + corners + bool(corners)
 
 
 @pytest.mark.parametrize("trajectory", [*SMOOTH.values(), Helix(0.01, 0.0, 0.9)])
