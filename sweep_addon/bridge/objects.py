@@ -6,6 +6,7 @@ import bpy
 from mathutils import Matrix
 
 from ..core.parameters import ShapeError, at, parameters, require, spelled
+from ..core.sampling import rendered
 from ..core.shapes import SHAPES
 from . import curves, meshes, rna
 
@@ -131,7 +132,8 @@ def inputs(mesh):
 def shapes(mesh, depsgraph=None):
     """The shapes that a mesh is made of: one, or one for each spline of its trajectory.
 
-    With a depsgraph, the mesh is an evaluated one and objects are read as they are in it.
+    With a depsgraph, the mesh is an evaluated one and objects are read as they are in it; with that of a render, shapes
+    are sampled as renders ask for.
     """
     shape, group = group_of(mesh)
     paths = {}
@@ -147,7 +149,15 @@ def shapes(mesh, depsgraph=None):
     first = rna.read(group, shape, resolve)
     count = max(map(len, paths.values()), default=1)
     others = (rna.read(group, shape, lambda ob, p, i=i: resolve(ob, p, i)) for i in range(1, count))
-    return [first, *others]
+    found = [first, *others]
+    return [rendered(each) for each in found] if depsgraph and depsgraph.mode == "RENDER" else found
+
+
+def renders_otherwise(mesh):
+    """Whether a render samples a mesh in its own way."""
+    _, group = group_of(mesh)
+    samples = getattr(group, "samples", "")
+    return bool(getattr(group, f"samples_{samples.lower()}_render", 0))
 
 
 def is_editable_sweep(ob):

@@ -2,18 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sampling: where along a trajectory the contour is placed, and what the trajectory is like there."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from .cells import bend, cells
-from .parameters import ShapeError, count, declared, length, require
+from .parameters import ShapeError, count, declared, length, parameter, require
 from .trajectories.arc_length import arc_length
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import norms, unit
 
 MOST_STATIONS = 200_000
+FINEST = 1e-9  # metres
 FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
 
@@ -27,7 +28,17 @@ class Tolerance:
     [False, True]
     """
 
-    chord: float = length(0.001, "Largest distance of a chord from the trajectory", minimum=1e-9, soft_maximum=0.1)
+    chord: float = length(0.001, "Largest distance of a chord from the trajectory", minimum=FINEST, soft_maximum=0.1)
+    render: float = parameter(
+        0.0, "Largest distance of a chord in a render; 0: the same", unit="length", minimum=0.0, soft_maximum=0.1
+    )
+
+    def check(self):
+        require(self.render == 0 or self.render >= FINEST, f"must be 0 or at least {FINEST:g}", self.render, "render")
+
+    def rendered(self):
+        """The sampling that a render uses."""
+        return Tolerance(self.render or self.chord)
 
 
 @declared
@@ -40,9 +51,28 @@ class Count:
     """
 
     contours: int = count(64, "Contours along the trajectory", minimum=2, maximum=MOST_STATIONS, soft_maximum=1000)
+    render: int = count(0, "Contours in a render; 0: the same", minimum=0, maximum=MOST_STATIONS, soft_maximum=1000)
+
+    def check(self):
+        require(self.render != 1, "must be 0 or at least 2", self.render, "render")
+
+    def rendered(self):
+        """The sampling that a render uses."""
+        return Count(self.render or self.contours)
 
 
 Sampling = Tolerance | Count
+
+
+def rendered(shape):
+    """A shape as a render samples it; the shape itself where that is the same.
+
+    >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+    >>> rendered(GeneralizedCylinder(samples=Count(8, render=100))).samples
+    Count(contours=100, render=0)
+    """
+    samples = getattr(shape, "samples", None)
+    return replace(shape, samples=samples.rendered()) if samples is not None and samples.render else shape
 
 
 @dataclass(frozen=True, eq=False)

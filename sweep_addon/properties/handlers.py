@@ -6,7 +6,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge.meshes import mark
-from ..bridge.objects import inputs
+from ..bridge.objects import inputs, renders_otherwise
 from .live import differs, rebuild, set_if_other
 
 INPUTS = {"CURVE", "FONT"}
@@ -16,6 +16,8 @@ INPUTS = {"CURVE", "FONT"}
 def after_update(scene, depsgraph):
     """An input object was edited or moved, a driver's input moved, or a mesh was edited by hand."""
     for mesh in touched(depsgraph.updates):
+        if renders_otherwise(mesh) and bpy.app.is_job_running("RENDER"):
+            continue  # it is as the render asks for; its end brings back what is shown
         rebuild(mesh, depsgraph)
         if mesh.is_editmode:
             set_if_other(mesh.sweep, "edited", True)
@@ -26,17 +28,22 @@ def after_update(scene, depsgraph):
 
 @persistent
 def after_frame(scene, depsgraph):
-    """Time has passed: keyframes and drivers have touched meshes, or the input objects of sweeps."""
-    for mesh in touched(depsgraph.updates):
+    """Time has passed, for meshes or input objects that keyframes and drivers move; or a render has begun."""
+    rendered = filter(renders_otherwise, sweeps()) if depsgraph.mode == "RENDER" else ()
+    for mesh in touched(depsgraph.updates).union(rendered):
         rebuild(mesh, depsgraph)
 
 
 @persistent
 def after_render(scene, *_):
     """A render leaves the mesh of its last frame behind: the frame that is shown comes back."""
-    for mesh in bpy.data.meshes:
-        if mesh.sweep.kind != "NONE" and (mesh.animation_data or inputs(mesh)):
+    for mesh in sweeps():
+        if mesh.animation_data or inputs(mesh) or renders_otherwise(mesh):
             rebuild(mesh)
+
+
+def sweeps():
+    return [mesh for mesh in bpy.data.meshes if mesh.sweep.kind != "NONE"]
 
 
 def touched(updates):

@@ -142,3 +142,66 @@ def test_the_end_of_a_render_in_a_window_brings_the_shown_frame_back(scene):
         ob.data.sweep.made = last.data.sweep.made
         end(scene)
         assert np.array_equal(places(ob.data), shown)
+
+
+RING = 2 * np.pi * 1.5 * 0.2  # square metres that a ring of 1.5 m covers from above, its wire 0.2 m thick
+
+
+def ring(samples, **more):
+    """A ring, which with three contours covers much less."""
+    return sweep(
+        contour=sw.contours.Circle(0.1), trajectory=sw.trajectories.Arc(1.5, 2 * np.pi), samples=samples, **more
+    )
+
+
+@pytest.mark.parametrize(
+    "samples", [sw.sampling.Count(3, render=200), sw.sampling.Tolerance(1.0, render=0.001)], ids=["count", "tolerance"]
+)
+def test_a_render_is_sampled_finer_than_what_is_shown(scene, render, tmp_path, samples):
+    """A still and an animation, of a shape that nothing else moves."""
+    ob = ring(samples)
+    shown = places(ob.data)
+    assert len(shown) < 20 * 64
+    scene.render.filepath = str(tmp_path / "still")
+    bpy.ops.render.render(write_still=True)
+    assert area(tmp_path / "still.png") == pytest.approx(RING, rel=0.03)
+    assert np.array_equal(places(ob.data), shown) and not ob.data.sweep.edited
+    scene.render.filepath = str(tmp_path / "###")
+    assert render() == pytest.approx([RING] * 3, rel=0.03)
+    bpy.context.view_layer.update()
+    assert np.array_equal(places(ob.data), shown) and not ob.data.sweep.edited
+
+
+def test_without_a_sampling_of_its_own_a_render_is_as_shown(scene, render):
+    coarse = ring(sw.sampling.Count(3))
+    assert max(render()) < 0.8 * RING and len(coarse.data.vertices) == 3 * 64
+
+
+def test_a_finer_render_follows_keyframes_and_curves(scene, render):
+    path = curve("BEZIER", [(-1, -1.5, 0, 0, -1.5, 0, 1, -1.5, 0), (1, 1.5, 0, 0, 1.5, 0, -1, 1.5, 0)])
+    ob = sweep(contour=sw.contours.Circle(0.1), trajectory=path, samples=sw.sampling.Count(2, render=100))
+    key(ob.data, "sweep.generalized_cylinder.contour_circle_radius", (0.1, 0.2, 0.1))
+    (length,) = (trajectory.length() for trajectory in [sw.from_object(ob).trajectory])
+    assert length > 3.2  # of 3 m
+    assert render() == pytest.approx([0.2 * length, 0.4 * length, 0.2 * length], rel=0.03)
+    assert len(ob.data.vertices) == 2 * 64 and extent(ob)[2] == pytest.approx(0.2, rel=1e-2)
+
+
+def test_viewport_sampling_may_be_the_finer_one(scene, render):
+    """As Blender's curves allow it; the parameter's own unit decides."""
+    ob = ring(sw.sampling.Count(100, render=3))
+    assert max(render()) < 0.8 * RING and len(ob.data.vertices) == 100 * 64
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "refusal"),
+    [
+        ("COUNT", 1, "samples.render: must be 0 or at least 2, got 1"),
+        ("TOLERANCE", 1e-12, "samples.render: must be 0 or at least 1e-09"),
+    ],
+)
+def test_a_sampling_that_no_render_could_have_is_refused(scene, kind, value, refusal):
+    ob = sweep()
+    parameters_of(ob).samples = kind
+    setattr(parameters_of(ob), f"samples_{kind.lower()}_render", value)
+    assert refusal in ob.data.sweep.error

@@ -12,7 +12,7 @@ import bpy
 import numpy as np
 from _window import PICTURES, run
 
-FRAME, SHOW = (0.1, 316), (0.45, 388)  # read off a picture
+FRAME, SHOW = (0.1, 360), (0.45, 432)  # read off a picture
 
 
 def colours(person, name):

@@ -10,7 +10,7 @@ import numpy as np
 from _window import run
 
 ADD, SWEEP_SELECTED, RADIUS, POINTS = (0.25, 46), (0.7, 46), (0.55, 141), (0.55, 162)  # read off a picture
-COPY_AS_PYTHON, COPY_AS_JOB = (0.25, 479), (0.75, 479)
+COPY_AS_PYTHON, COPY_AS_JOB = (0.25, 500), (0.75, 500)
 FIRST_ENTRY = 24  # pixels from the menu's button down to its first line
 
 
