@@ -6,7 +6,7 @@ import bpy
 from _window import run
 
 ADD, MESH, ACROSS, SWEEP, FIRST = (285, 860), (310, 836), (500, 836), (500, 613), (690, 613)  # read off a picture
-POINTS = (592, 417)
+POINTS = (592, 440)
 
 
 def add_menu(person):
