@@ -7,7 +7,8 @@ import numpy as np
 from .trajectories.arc_length import arc_length, subdivided
 from .vectors import norms
 
-WIDEST_TURN = np.radians(30)  # a bend or a twist in one step; more looks broken at any tolerance
+WIDEST_TURN = np.radians(30)  # a twist in one step; more looks broken at any tolerance
+WIDEST_BEND = np.radians(60)  # a bend in one step, so that a circle is a hexagon at least
 CELLS = 2048  # at least, in which the curvature is looked at
 PARTS = (1, 3, 9, 27, 81)  # into which a cell is cut, until a law is seen that changes often
 SPARSE = 3  # cells for one place that shows whether they see a law
@@ -33,7 +34,7 @@ def cells(trajectory, chord, extra):
     grid[-1] = measure.total
     turns = [norms(bend(trajectory, u[end], end == 1)) * width for end in (0, 1)]
     turn = np.minimum(np.maximum(*turns), np.maximum(np.minimum(*turns), np.pi))
-    steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_TURN)
+    steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_BEND)
     return (grid, steps) if extra is None else refined(grid, u, steps, extra, RESERVE * chord)
 
 
