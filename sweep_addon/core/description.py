@@ -4,11 +4,12 @@
 
 from dataclasses import replace
 from enum import EnumMeta
-from math import inf, isfinite
+from math import inf
 from typing import NamedTuple, get_args, get_origin
 
 from .forms import VERSION, plain, scalar, tidy
 from .parameters import Array, inside, parameters, spelled
+from .wording import within
 
 UNITS = {None: "", "length": "m", "angle": "rad"}
 
@@ -102,11 +103,7 @@ def takes(p):
 def limits(p):
     """Unit and limits in words: ``m, more than 0, at most 10``."""
     numeric = p.type in (int, float) or p.is_list or p.kinds or get_origin(p.type) is tuple
-    said = [UNITS[p.unit] if numeric else ""]
-    said.append(f"more than {p.above:g}" if p.above >= p.minimum and isfinite(p.above) else "")
-    said.append(f"at least {p.minimum:g}" if p.minimum > p.above else "")
-    said.append(f"at most {p.maximum:g}" if isfinite(p.maximum) else "")
-    return ", ".join(filter(None, said))
+    return within(UNITS[p.unit] if numeric else "", p.above, p.minimum, p.maximum)
 
 
 def schema(shapes):

@@ -130,11 +130,25 @@ def load(shapes, text):
 def dump(shape):
     """A shape as the text of a job, every parameter written, so that `load` makes an equal shape of it.
 
-    What is no shape, as a contour alone, is refused by a `ShapeError`.
+    Parameters
+    ----------
+    shape : a shape
 
-    >>> from sweep_addon.core.shapes import SHAPES
-    >>> shape = SHAPES[0]()
-    >>> load(SHAPES, dump(shape)) == shape
+    Returns
+    -------
+    str
+        TOML, with lengths in metres and angles in radians.
+
+    Raises
+    ------
+    ShapeError
+        For what is no shape, as a contour alone.
+
+    Examples
+    --------
+    >>> import sweep_addon as sw
+    >>> shape = sw.GeneralizedCylinder(twist="2*pi*t")
+    >>> sw.load(sw.dump(shape)) == shape
     True
     """
     require(is_dataclass(shape) and hasattr(type(shape), "mesh"), "must be a shape", shape, "shape")

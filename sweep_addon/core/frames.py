@@ -152,6 +152,7 @@ class FixedUp(OfItsPlace):
     up: tuple[float, float, float] = parameter((0, 0, 1), "Direction that stays up")
 
     def check(self):
+        """Refuse a direction without length."""
         require(np.linalg.norm(self.up) > 0, "must have a length", list(self.up), "up")
 
     def angles(self, stations, normals, holonomy, symmetry):

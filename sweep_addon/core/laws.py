@@ -43,6 +43,7 @@ class Formula:
     text: str = parameter("1", "Expression of u, t (0 to 1) and s (arc length)", shorthand=True)
 
     def check(self):
+        """Refuse what is no such expression."""
         compile(self.text, NAMES)
 
     @classmethod
@@ -75,6 +76,7 @@ class Points:
     points: Array = parameter(((0, 1), (1, 1)), "Control points (t, value)", columns=2, shorthand=True)
 
     def check(self):
+        """Refuse values of t that do not rise from point to point."""
         t = self.points.values[:, 0]
         require((np.diff(t) > CLOSEST).all(), "must have t rising from point to point", t.tolist())
 

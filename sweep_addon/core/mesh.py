@@ -132,12 +132,29 @@ class Mesh:
 
     @cached_property
     def uv(self):
-        """(c, 2) float array: texture coordinates of each corner; None where there are none."""
+        """(c, 2) float array: texture coordinates of each corner, in metres or from 0 to 1; None where there are none.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> tube = GeneralizedCylinder(texture="unit").mesh()
+        >>> len(tube.uv) == len(tube.corners), tube.uv.min(axis=0).tolist(), tube.uv.max(axis=0).tolist()
+        (True, [0.0, 0.0], [1.0, 1.0])
+        """
         return self.chart.uv()
 
     @cached_property
     def attributes(self):
-        """Values at each vertex by name: dict of (n,) float arrays."""
+        """Values at each vertex by name: dict of (n,) float arrays; the arc length is in metres.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import Line
+        >>> attributes = GeneralizedCylinder(trajectory=Line(end=(0, 0, 3))).mesh().attributes
+        >>> sorted(attributes), round(float(attributes["arc_length"].max()), 12)
+        (['arc_length', 'u', 'v'], 3.0)
+        """
         return self.chart.along() | self.chart.across()
 
     def volume(self):
@@ -145,6 +162,14 @@ class Mesh:
 
         Source: the divergence theorem. A bent face of four corners counts as the bilinear patch through them, halfway
         between its two pairs of triangles: where all faces bend one way, as on a twisted tube, these differ.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Rectangle
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import Line
+        >>> round(GeneralizedCylinder(Rectangle(1.0, 2.0), Line(end=(0, 0, 3))).mesh().volume(), 12)
+        6.0
         """
         centred = self.vertices - self.vertices.mean(axis=0)
         sizes = np.diff(self.offsets)[:, None]
@@ -152,7 +177,16 @@ class Mesh:
         return float(np.einsum("ij,ij->", middles, self.normals)) / 3
 
     def area(self):
-        """The area of all faces in square metres; a bent face counts as its shadow on its own plane."""
+        """The area of all faces in square metres; a bent face counts as its shadow on its own plane.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Rectangle
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import Line
+        >>> round(GeneralizedCylinder(Rectangle(1.0, 2.0), Line(end=(0, 0, 3))).mesh().area(), 12)
+        22.0
+        """
         return float(np.linalg.norm(self.normals, axis=1).sum())
 
     @cached_property
@@ -163,16 +197,39 @@ class Mesh:
         return np.add.reduceat(np.cross(here, there), self.offsets[:-1], axis=0) / 2
 
     def boundary_edges(self):
-        """Edges of one face alone: (k, 2) int array of vertices, empty where the mesh is closed."""
+        """Edges of one face alone: (k, 2) int array of vertices, empty where the mesh is closed.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Circle
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> GeneralizedCylinder(Circle(0.1, points=16), start="open").mesh().boundary_edges().shape
+        (16, 2)
+        """
         pairs, forward, backward = self.topology.uses()
         return pairs[forward + backward == 1]
 
     def non_manifold_edges(self):
-        """Edges of more than two faces, or of two that look opposite ways: (k, 2) int array of vertices."""
+        """Edges of more than two faces, or of two that look opposite ways: (k, 2) int array of vertices.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> GeneralizedCylinder().mesh().non_manifold_edges().shape
+        (0, 2)
+        """
         pairs, forward, backward = self.topology.uses()
         return pairs[(forward > 1) | (backward > 1)]
 
     def euler_characteristic(self):
-        """Vertices - edges + faces: 2 for a ball, 0 for a ring, 2 - 2 g for one closed surface of genus g."""
+        """Vertices - edges + faces: 2 for a ball, 0 for a ring, 2 - 2 g for one closed surface of genus g.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import TorusKnot
+        >>> GeneralizedCylinder(trajectory=TorusKnot()).mesh().euler_characteristic()
+        0
+        """
         pairs, _, _ = self.topology.uses()
         return len(self.vertices) - len(pairs) + len(self.offsets) - 1

@@ -8,10 +8,9 @@ Every check is in `coerce`, or in the `check` of a kind where it takes two field
 is made: whoever asks, the refusal is the same sentence.
 """
 
-import re
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields, replace
-from enum import Enum, EnumMeta
+from enum import EnumMeta
 from functools import cache, partial
 from math import inf
 from numbers import Real
@@ -19,6 +18,8 @@ from types import UnionType
 from typing import dataclass_transform, get_args, get_origin, get_type_hints
 
 import numpy as np
+
+from .wording import documented, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
@@ -71,24 +72,6 @@ def require(holds, sentence, value, key=""):
     """Refuse a value unless the sentence about it holds."""
     if not holds:
         raise ShapeError(f"{sentence}, got {shown(value)}", key)
-
-
-def shown(value):
-    """A value as a refusal has room for it: one line of at most 60 characters.
-
-    >>> shown(0.1 + 0.2), shown([1, 2]), shown(16**5000)
-    ('0.3', '[1, 2]', '0x1000000000000000000000000000000000000000000000000000000...')
-    """
-    if isinstance(value, (list, tuple, str, bytes)):
-        value = value[:60]  # no more is shown
-    if isinstance(value, np.generic):
-        value = value.item()  # which NumPy 1 and 2 write alike
-    try:
-        text = f"{value:.9g}" if isinstance(value, float) else repr(value)
-    except (ValueError, RecursionError):  # Python writes no number of 5,000 digits, and no list as deep
-        text = hex(value) if isinstance(value, int) else f"a {type(value).__name__}"
-    line = " ".join(part.strip() for part in text.splitlines())
-    return line if len(line) <= 60 else f"{line[:57]}..."
 
 
 class Array:
@@ -157,7 +140,7 @@ count = partial(parameter, minimum=1)
 
 @dataclass_transform(frozen_default=True, field_specifiers=(parameter,))
 def declared(cls):
-    """Make a frozen dataclass that coerces and checks its fields once, when a value is made."""
+    """Make a frozen dataclass that coerces and checks its fields once, when a value is made, and documents them."""
 
     def settle(self):
         for p in parameters(cls):
@@ -168,7 +151,9 @@ def declared(cls):
 
     cls.__post_init__ = settle
     cls.__eq__, cls.__hash__, cls.__repr__ = equal, hashed, written
-    return dataclass(frozen=True, eq=False, repr=False)(cls)
+    cls = dataclass(frozen=True, eq=False, repr=False)(cls)
+    cls.__doc__ = documented(cls)
+    return cls
 
 
 # The same for all kinds: those that `dataclass` would write for each are half of what it costs to enable the extension.
@@ -213,14 +198,6 @@ def inside(union, kind):
         )
         for p in parameters(kind)
     )
-
-
-@cache
-def spelled(kind, joint="-"):
-    """The name of a class (FixedUp) or of an Enum's member (FIXED_UP) as jobs (fixed-up) or identifiers have it."""
-    if isinstance(kind, Enum):
-        return kind.name.lower().replace("_", joint)
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", joint, kind.__name__).lower()
 
 
 def coerce(p, value):

@@ -55,6 +55,7 @@ def reach(trajectory):
     Returns
     -------
     Reach
+        Its radius is in metres.
 
     Raises
     ------

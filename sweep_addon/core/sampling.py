@@ -34,6 +34,7 @@ class Tolerance:
     )
 
     def check(self):
+        """Refuse a render with a distance that is neither 0 nor at least a nanometre."""
         require(self.render == 0 or self.render >= FINEST, f"must be 0 or at least {FINEST:g}", self.render, "render")
 
     def rendered(self):
@@ -54,6 +55,7 @@ class Count:
     render: int = count(0, "Contours in a render; 0: the same", minimum=0, maximum=MOST_STATIONS, soft_maximum=1000)
 
     def check(self):
+        """Refuse a render with one contour."""
         require(self.render != 1, "must be 0 or at least 2", self.render, "render")
 
     def rendered(self):

@@ -54,6 +54,7 @@ class Aerofoil:
     )
 
     def check(self):
+        """Refuse a code that is not four digits, has one of camber and place without the other, or no thickness."""
         named = re.fullmatch("[0-9]{4}", self.code)
         require(named, "must be the four digits of a NACA aerofoil, such as 2412", self.code, "code")
         camber, place = (digit == "0" for digit in self.code[:2])

@@ -28,6 +28,7 @@ class Ellipse:
     points: int = count(64, "Points around the ellipse", minimum=3, maximum=4096, soft_maximum=128)
 
     def check(self):
+        """Refuse a radius of less than a millionth of the other."""
         require_broad(self, "radius_x", "radius_y")
 
     @property

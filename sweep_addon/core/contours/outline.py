@@ -44,6 +44,7 @@ class Outline:
     )  # fmt: skip
 
     def check(self):
+        """Refuse loops that cross, touch or enclose nothing, and bulges that are not one a corner or beyond 1000."""
         sizes = [len(loop.values) for loop in self.loops]
         got = [len(bulge.values) for bulge in self.bulges]
         require(not got or got == sizes, f"must have one number a corner, {sizes}", got, "bulges")

@@ -34,6 +34,7 @@ class Rectangle:
     corner_points: int = count(8, "Points around each rounded corner", minimum=2, maximum=1024, soft_maximum=32)
 
     def check(self):
+        """Refuse a side of less than a millionth of the other, and a rounding of more than half the shorter one."""
         require_broad(self, "width", "height")
         most = min(self.width, self.height) / 2
         require(self.rounding <= most, f"must be at most {most:g}, half the shorter side", self.rounding, "rounding")

@@ -43,6 +43,7 @@ class RegularPolygon:
     corner_points: int = count(8, "Points around each rounded corner", minimum=2, maximum=256, soft_maximum=32)
 
     def check(self):
+        """Refuse a rounding larger than the distance of the sides from the centre."""
         most = self.inner
         require(self.rounding <= most, f"must be at most {most:.9g}, where the sides are", self.rounding, "rounding")
 

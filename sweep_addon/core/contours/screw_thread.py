@@ -42,6 +42,7 @@ class ScrewThread:
     points: int = count(64, "Points of each thread, shared by crest, flanks and root", minimum=16, maximum=1024)
 
     def check(self):
+        """Refuse a pitch so large that the roots reach the axis."""
         most = self.diameter / 2 / DEPTH
         require(self.pitch < most, f"must be less than {most:.6g}, or the roots reach the axis", self.pitch, "pitch")
 

@@ -29,6 +29,7 @@ class Star:
     inner: float = length(0.4, "Distance of the corners between tips from the centre")
 
     def check(self):
+        """Refuse a radius of less than a millionth of the other."""
         require_broad(self, "inner", "outer")
 
     @property

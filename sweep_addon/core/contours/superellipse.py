@@ -47,6 +47,7 @@ class Superellipse:
     quarter_points: int = count(16, "Points around each quarter", minimum=2, maximum=1024, soft_maximum=32)
 
     def check(self):
+        """Refuse a size of less than a millionth of the other."""
         require_broad(self, "width", "height")
 
     @property

@@ -30,6 +30,7 @@ class Bezier(Chain):
     tilts: Array = parameter((), "Turn of the contour at each knot, evenly between them; none: all 0", unit="angle")
 
     def check(self):
+        """Refuse a number of points that makes no segments, a segment without length, and a cusp."""
         rest = 0 if self.closed else 1
         fits = len(self.points) > 3 - self.closed and len(self.points) % 3 == rest
         form = "a multiple of 3" if self.closed else "1 more than a multiple of 3"

@@ -18,10 +18,6 @@ class Trajectory:
 
     Attributes
     ----------
-    domain : (float, float)
-        First and last parameter, uI and uF.
-    closed : bool
-        Whether the end is the start again.
     straight : bool
         Whether there is nothing but straight legs between the joints.
     radii, tilts : Array
@@ -30,12 +26,58 @@ class Trajectory:
         Corners that a contour may not go round with a mitre; where there are any, `limited` has none of them.
     """
 
-    closed = straight = False
+    straight = False
     radii = tilts = NONE
     too_sharp = ()
 
+    @property
+    def domain(self):
+        """First and last parameter, uI and uF: (float, float), in the unit that the kind says.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.trajectories import Line
+        >>> Line(end=(0, 0, 3)).domain
+        (0.0, 1.0)
+        """
+        raise NotImplementedError
+
+    @property
+    def closed(self):
+        """Whether the end is the start again.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.trajectories import Polyline
+        >>> Polyline([(0, 0, 0), (3, 0, 0), (0, 4, 0)], closed=True).length()
+        12.0
+        """
+        return False
+
     def evaluate(self, u):
-        """Points at parameters u: (n,) to (n, 3) float array, in metres."""
+        """Points of the trajectory.
+
+        Parameters
+        ----------
+        u : (n,) array
+            Parameters in the domain.
+
+        Returns
+        -------
+        (n, 3) float array
+            In metres.
+
+        Raises
+        ------
+        ShapeError
+            Where a formula has no finite value.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.trajectories import Line
+        >>> Line(end=(0, 0, 3)).evaluate([0.0, 0.5, 1.0]).tolist()
+        [[0.0, 0.0, 0.0], [0.0, 0.0, 1.5], [0.0, 0.0, 3.0]]
+        """
         raise NotImplementedError
 
     def derivative(self, u, order=1, before=False):
@@ -71,7 +113,19 @@ class Trajectory:
         require(least >= 0, "must all be at least 0", float(least), "radii")
 
     def length(self):
-        """The arc length in metres."""
+        """The arc length in metres.
+
+        Raises
+        ------
+        ShapeError
+            Where it is less than a millionth of a micrometre, or a formula has no finite derivative.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.trajectories import Polyline
+        >>> Polyline([(0, 0, 0), (3, 0, 0), (3, 4, 0)]).length()
+        7.0
+        """
         return arc_length(self).total
 
     def tangents(self, u, before=False):

@@ -59,6 +59,7 @@ class Formula(Trajectory):
     closed: Closing = parameter(Closing.AUTO, "Whether the end is the start again")
 
     def check(self):
+        """Refuse what has no length or is not smooth at its ends, and ends apart that are to be closed."""
         require(self.end > self.start, f"must be more than the start, {self.start:g}", self.end, "end")
         points = self.evaluate(np.linspace(self.start, self.end, LOOKED_AT))
         for key, values in zip(AXES, points.T, strict=True):

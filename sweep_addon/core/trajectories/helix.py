@@ -31,6 +31,7 @@ class Helix(Trajectory):
     turns: float = parameter(5.0, "Number of turns", above=0.0, maximum=10_000.0, soft_maximum=50.0)
 
     def check(self):
+        """Refuse a pitch of less than a millionth of the radius, where a whole turn would lie on itself."""
         least = FLAT * self.radius
         rises = self.turns < 1 or abs(self.pitch) >= least
         require(rises, f"must be at least {least:g} in size, or a whole turn lies on itself", self.pitch, "pitch")

@@ -91,10 +91,10 @@ class Cut(Legs):
     """Legs with a short one across some of their corners, for a `Mitre` beyond its limit."""
 
     points: Array
-    closed: bool
-    setbacks: Array
-    radii: Array
-    tilts: Array
+    closed: bool = False
+    setbacks: Array = NONE
+    radii: Array = NONE
+    tilts: Array = NONE
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,6 +27,7 @@ class Line(Trajectory):
     straight = True
 
     def check(self):
+        """Refuse an end that is the start."""
         require(self.start != self.end, "must differ from the start", list(self.end), "end")
 
     def evaluate(self, u):

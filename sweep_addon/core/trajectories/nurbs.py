@@ -42,6 +42,7 @@ class Nurbs(Trajectory):
     )
 
     def check(self):
+        """Refuse numbers of points, weights, knots, radii or tilts that do not fit, and what has no length."""
         size = len(self.points)
         require(self.order <= size, f"must be at most {size}, the number of control points", self.order, "order")
         self.check_carried(size)

@@ -36,6 +36,7 @@ class Polyline(Legs):
     tilts: Array = parameter((), "Turn of the contour at each corner, evenly between them; none: all 0", unit="angle")
 
     def check(self):
+        """Refuse a leg without length, a leg straight back, and corners that take more of a leg than there is."""
         fewest = 3 if self.closed else 2
         require(len(self.points) >= fewest, f"must have at least {fewest} points", len(self.points), "points")
         legs = self.legs

@@ -34,6 +34,7 @@ class Sampled(Chain):
     closed: bool = parameter(False, "The last point leads back to the first")
 
     def check(self):
+        """Refuse fewer than two different points, or three of a closed path."""
         fewest = 3 if self.closed else 2
         require(len(self.kept) >= fewest, f"must have at least {fewest} different points", len(self.kept), "points")
 

@@ -31,6 +31,7 @@ class TorusKnot(Trajectory):
     domain = (0.0, tau)
 
     def check(self):
+        """Refuse p and q with a factor in common, whose curve would run over itself."""
         require(gcd(self.p, self.q) == 1, f"must share no factor with p, which is {self.p}", self.q, "q")
 
     def evaluate(self, u):
