@@ -5,13 +5,14 @@
 from dataclasses import replace
 from functools import lru_cache
 from math import tau
+from typing import NamedTuple
 
 import numpy as np
 
 from . import caps, closing
 from .along import Along, tapers, tips
 from .chart import Chart, Texture, lengths_around
-from .contours import Circle, Contour, Fit, fitted
+from .contours import Circle, Contour, Fit, Section, fitted
 from .domes import domes_of, with_domes
 from .enclosing import enclosing, halfway
 from .ends import End, Flat, Round, Taper
@@ -30,6 +31,17 @@ ATTRIBUTES = "UVs and Attributes"
 MOST_VERTICES = 20_000_000
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
+
+
+class Body(NamedTuple):
+    """The contours of a sweep at its stations, what closes it at the ends left out."""
+
+    section: Section  # as it is drawn: a mirrored one where the laws or the way mirror it
+    rings: np.ndarray  # the middle of each and its two axes, scaled: (3, n, 3)
+    scales: np.ndarray  # along e2 and e3: (n, 2)
+    tips: np.ndarray  # which are a point: (n,) bool
+    backward: bool  # whether the middles run against the trajectory
+    told: tuple  # sentences for people
 
 
 @declared
@@ -94,56 +106,69 @@ class GeneralizedCylinder:
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((160, 3), 'float64', 0)
         """
-        section, closed, told = section_of(self.contour, self.fit), self.trajectory.closed, ()
+        section, closed = section_of(self.contour, self.fit), self.trajectory.closed
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
-        if closed and any(isinstance(end, (Taper, Round)) for end in (self.start, self.end)):
-            told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
-        along, symmetry = self.along(section, ends)
-        reach = float(np.linalg.norm(section.points, axis=1).max())
-        along, limit = bevelled(along, reach)
-        told += limit
+        along, symmetry, reach, told = self.laid_out(section, ends)
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
-        scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
-        points, mirrored = tips(scale_x, scale_y, along.largest, closed)
-        e2, e3, said = axes(self.frame, stations, twist, symmetry)
         sectors = closing.sectors(self.frame, along, symmetry) if closed else 0
-        rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
-        if self.fit is Fit.AREA_TRUE:
-            rings = volume_true(stations, rings, along, section.centroid, tau * sectors / symmetry)
-        else:
-            rings = placed(stations, *rings)
-        reach, least = reach * along.largest, ROUNDING * np.abs(rings[0]).max()
-        require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
-        backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
-        if mirrored != backward:
-            section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
-        scales, shape = np.stack((scale_x, scale_y), axis=1), section.points
-        around = lengths_around(section, np.abs(scales[~points]).mean(axis=0))
-        domes = domes_of(ends, section, scales[[0, -1]], points[[0, -1]], self.samples)
-        vertices = (len(points) + sum(map(len, domes))) * len(section.points)
+        body = self.carried(section, along, stations, symmetry, tau * sectors / symmetry)
+        domes = domes_of(ends, body.section, body.scales[[0, -1]], body.tips[[0, -1]], self.samples)
+        vertices = (len(stations.s) + sum(map(len, domes))) * len(section.points)
         require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
+        rings, shape = body.rings, body.section.points
         if self.fit is Fit.CIRCUMSCRIBED:
             true = halfway(stations, self.frame, along, symmetry)
-            least = np.where(points, 0.0, np.abs(scales).min(axis=1))
-            rings, shape = enclosing(stations, rings, true, section, least, tau * sectors / symmetry)
-        rings, points, u, s = with_domes(domes, stations, rings, points, backward)
+            least = np.where(body.tips, 0.0, np.abs(body.scales).min(axis=1))
+            rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry)
+        rings, points, u, s = with_domes(domes, stations, rings, body.tips, body.backward)
         grid = Grid(
             rings=len(s),
             tips=tuple(np.flatnonzero(points).tolist()),
             closed=closed,
             creases=creases(stations, len(domes[0])),
-            offsets=tuple(section.offsets.tolist()),
-            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
+            offsets=tuple(body.section.offsets.tolist()),
+            sharp=tuple(np.flatnonzero(body.section.sharp).tolist()),
             caps=tuple(
-                caps.faces(section) if isinstance(end, Flat) and not (closed or points[station]) else None
+                caps.faces(body.section) if isinstance(end, Flat) and not (closed or points[station]) else None
                 for end, station in zip(ends, (0, -1), strict=True)
             ),
-            seam=closing.seam(section, sectors, symmetry) if closed else (),
+            seam=closing.seam(body.section, sectors, symmetry) if closed else (),
             domes=tuple(map(len, domes)),
         )
-        ends = tuple(section.points * scales[station] for station in (0, -1))
-        chart = Chart(grid, u, s, stations.total, around, ends, self.texture, self.attributes)
-        return Mesh(drawn(rings, shape, points, dtype), grid.topology(), chart, told + said + warned)
+        around = lengths_around(body.section, np.abs(body.scales[~body.tips]).mean(axis=0))
+        flat = tuple(body.section.points * body.scales[station] for station in (0, -1))
+        chart = Chart(grid, u, s, stations.total, around, flat, self.texture, self.attributes)
+        return Mesh(drawn(rings, shape, points, dtype), grid.topology(), chart, told + body.told)
+
+    def laid_out(self, section, ends):
+        """The laws of the sweep, in how many turns they leave the section as it is, its reach, and sentences for people.
+
+        The reach is that of the section's farthest point from the reference point, in metres, before any scale.
+        """
+        told, reach = (), float(np.linalg.norm(section.points, axis=1).max())
+        if self.trajectory.closed and any(isinstance(end, (Taper, Round)) for end in (self.start, self.end)):
+            told = ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
+        along, symmetry = self.along(section, ends)
+        along, limit = bevelled(along, reach)
+        return along, symmetry, reach, told + limit
+
+    def carried(self, section, along, stations, symmetry, turn):
+        """The section carried by the frame to every station: a `Body`; it meets itself turned by that angle."""
+        scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
+        points, mirrored = tips(scale_x, scale_y, along.largest, stations.closed)
+        e2, e3, told = axes(self.frame, stations, twist, symmetry)
+        rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
+        if self.fit is Fit.AREA_TRUE:
+            rings = volume_true(stations, rings, along, section.centroid, turn)
+        else:
+            rings = placed(stations, *rings)
+        reach = float(np.linalg.norm(section.points, axis=1).max()) * along.largest
+        least = ROUNDING * np.abs(rings[0]).max()
+        require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
+        backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
+        if mirrored != backward:
+            section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
+        return Body(section, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told + warned)
 
     def frames(self, most=100):
         """The frames and contours at places spread evenly along the trajectory.
@@ -165,9 +190,7 @@ class GeneralizedCylinder:
         ([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.0, 1.0], (5, 64, 3))
         """
         section, closed = section_of(self.contour, Fit.INSCRIBED), self.trajectory.closed
-        along, symmetry = self.along(section, (Flat(), Flat()) if closed else (self.start, self.end))
-        reach = float(np.linalg.norm(section.points, axis=1).max())
-        along, _ = bevelled(along, reach)
+        along, symmetry, reach, _ = self.laid_out(section, (Flat(), Flat()) if closed else (self.start, self.end))
         steps = arc_length(along.trajectory).total / max(reach * along.largest, ROUNDING)
         stations = place(along.trajectory, Count(int(np.clip(steps + (not closed), 2, most))))
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
