@@ -141,7 +141,7 @@ class GeneralizedCylinder:
         return Mesh(drawn(rings, shape, points, dtype), grid.topology(), chart, told + body.told)
 
     def laid_out(self, section, ends):
-        """The laws of the sweep, in how many turns they leave the section as it is, its reach, and sentences for people.
+        """The laws of the sweep, in how many turns they leave the section as it is, its reach, and what is to be told.
 
         The reach is that of the section's farthest point from the reference point, in metres, before any scale.
         """
