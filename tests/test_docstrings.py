@@ -18,7 +18,8 @@ from sweep_addon.core.description import summary
 from sweep_addon.core.parameters import parameters
 
 IN_BLENDER = set() if importlib.util.find_spec("bpy") else {"to_object", "from_object"}
-MEASURED = ("volume", "area", "boundary_edges", "non_manifold_edges", "euler_characteristic", "uv", "attributes")
+MEASURED = ("volume", "area", "boundary_edges", "non_manifold_edges", "euler_characteristic")
+HELD = ("corners", "offsets", "edges", "uv", "attributes")
 ASKED = ("evaluate", "length", "domain", "closed")
 WORDS = {"length": "in metres", "angle": "in radians"}
 
@@ -43,7 +44,7 @@ def public():
 def members():
     """Every public method and property of those; what is a plain value has no docstring of its own."""
     yield "GeneralizedCylinder.mesh", sw.GeneralizedCylinder.mesh
-    yield from ((f"Mesh.{name}", getattr(sw.Mesh, name)) for name in MEASURED)
+    yield from ((f"Mesh.{name}", getattr(sw.Mesh, name)) for name in MEASURED + HELD)
     for kind in kinds(sw.trajectories):
         found = ((name, getattr(kind, name)) for name in ASKED)
         yield from (
@@ -58,7 +59,9 @@ DECLARED = {name: value for name, value in PUBLIC.items() if hasattr(value, "__d
 NAMED = PUBLIC | MEMBERS
 FUNCTIONS = [name for name, value in PUBLIC.items() if inspect.isroutine(value)]
 IN_METRES = {*FUNCTIONS, *MEMBERS} - {"load", "to_object", "from_object"}
-IN_METRES -= {name for name in MEMBERS if name.endswith(("edges", "characteristic", "domain", "closed"))}
+IN_METRES -= {
+    name for name in MEMBERS if name.endswith(("corners", "offsets", "edges", "characteristic", "domain", "closed"))
+}
 REFUSING = ["GeneralizedCylinder.mesh", *FUNCTIONS, *(name for name, kind in DECLARED.items() if parameters(kind))]
 
 

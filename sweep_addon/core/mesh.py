@@ -115,14 +115,45 @@ class Mesh:
 
     @property
     def corners(self):
+        """(c,) int32 array: the vertex at each corner of each face, counter-clockwise from outside.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Rectangle
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import Line
+        >>> box = GeneralizedCylinder(Rectangle(), Line()).mesh()
+        >>> box.vertices[box.corners].reshape(-1, 4, 3).shape
+        (6, 4, 3)
+        """
         return self.topology.corners
 
     @property
     def offsets(self):
+        """(f + 1,) int32 array: face ``i`` has the corners from ``offsets[i]`` to before ``offsets[i + 1]``.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Star
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import Line
+        >>> GeneralizedCylinder(Star(3), Line(), start="open", end="open").mesh().offsets.tolist()
+        [0, 4, 8, 12, 16, 20, 24]
+        """
         return self.topology.offsets
 
     @property
     def edges(self):
+        """(e, 2) int32 array: the vertices of each edge.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Rectangle
+        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.trajectories import Line
+        >>> GeneralizedCylinder(Rectangle(), Line()).mesh().edges.shape
+        (12, 2)
+        """
         return self.topology.edges
 
     @property
