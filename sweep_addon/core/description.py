@@ -4,12 +4,12 @@
 
 from dataclasses import replace
 from enum import EnumMeta
-from math import inf
+from math import inf, isfinite
 from typing import NamedTuple, get_args, get_origin
 
 from .forms import VERSION, plain, scalar, tidy
 from .parameters import Array, inside, parameters, spelled
-from .wording import within
+from .wording import longest, within
 
 UNITS = {None: "", "length": "m", "angle": "rad"}
 
@@ -103,7 +103,7 @@ def takes(p):
 def limits(p):
     """Unit and limits in words: ``m, more than 0, at most 10``."""
     numeric = p.type in (int, float) or p.is_list or p.kinds or get_origin(p.type) is tuple
-    return within(UNITS[p.unit] if numeric else "", p.above, p.minimum, p.maximum)
+    return within(UNITS[p.unit] if numeric else "", p.above, p.minimum, p.maximum, longest(p.most, p.columns))
 
 
 def schema(shapes):
@@ -156,11 +156,12 @@ def type_schema(p):
         return {"enum": [spelled(member) for member in p.type]}
     if p.type is Array:
         row = {"type": "array", "items": {"type": "number"}, "minItems": p.columns, "maxItems": p.columns}
-        return {"type": "array", "items": row if p.columns else {"type": "number"}}
+        most = {"maxItems": p.most} if isfinite(p.most) else {}
+        return {"type": "array", "items": row if p.columns else {"type": "number"}} | most
     if get_origin(p.type) is tuple:
         inner = get_args(p.type)
         if inner[1:] == (...,):
-            return {"type": "array", "items": type_schema(replace(p, type=inner[0]))}
+            return {"type": "array", "items": type_schema(replace(p, type=inner[0], most=inf))}
         return {"type": "array", "items": {"type": "number"}, "minItems": len(inner), "maxItems": len(inner)}
     bounds = {"exclusiveMinimum": (p.above, -inf), "minimum": (p.minimum, -inf), "maximum": (p.maximum, inf)}
     named = {int: "integer", float: "number", bool: "boolean", str: "string"}[p.type]

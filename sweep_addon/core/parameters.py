@@ -19,7 +19,7 @@ from typing import dataclass_transform, get_args, get_origin, get_type_hints
 
 import numpy as np
 
-from .wording import documented, shown, spelled
+from .wording import documented, longest, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
@@ -114,6 +114,7 @@ class Parameter:
     above: float = -inf  # a limit that is not itself allowed
     soft_maximum: float | None = None  # where a slider ends; typing may go on to the maximum
     columns: int | None = None  # numbers in a row of an array; None: a row is one number
+    most: float = inf  # rows of an array, of all together where there are several
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
@@ -136,6 +137,7 @@ def parameter(default, doc, **metadata):
 length = partial(parameter, unit="length", above=0.0)
 angle = partial(parameter, unit="angle")
 count = partial(parameter, minimum=1)
+points = partial(parameter, unit="length", columns=3, most=200_000)  # for which a few seconds are enough
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(parameter,))
@@ -212,7 +214,9 @@ def coerce(p, value):
         first, *rest = get_args(p.type)
         require(isinstance(value, (list, tuple, np.ndarray)), "must be a list", value)
         require(rest == [...] or len(value) == 1 + len(rest), f"must be a list of {1 + len(rest)}", value)
-        return tuple(coerce(replace(p, type=first), item) for item in value)
+        require_few(p, sum(max(1, rows(item)) for item in value))
+        part = replace(p, type=first)
+        return tuple(coerce(part, item) for item in value)
     if p.type in (int, float):
         return coerce_number(p, value)
     require(isinstance(value, p.type), {bool: "must be true or false", str: "must be text"}[p.type], value)
@@ -238,7 +242,18 @@ def coerce_number(p, value):
     return p.type(value) + 0  # turns -0.0 to 0.0
 
 
+def require_few(p, size):
+    """Refuse a long list before anything is done that takes time for each of its rows."""
+    require(size <= p.most, f"must have {longest(p.most, p.columns)}", size)
+
+
+def rows(value):
+    """The length of what may stand for an array; 0 for anything else."""
+    return len(value) if isinstance(value, (Array, list, tuple)) or getattr(value, "ndim", 0) else 0
+
+
 def coerce_array(p, value):
+    require_few(p, rows(value))
     try:
         array = value if isinstance(value, Array) else Array(value)
     except (TypeError, ValueError, OverflowError):

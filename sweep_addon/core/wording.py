@@ -44,7 +44,12 @@ def spelled(kind, joint="-"):
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", joint, kind.__name__).lower()
 
 
-def within(unit, above=-inf, minimum=-inf, maximum=inf):
+def longest(most, columns):
+    """How many rows a list may have, in words."""
+    return f"at most {most} {'points' if columns else 'numbers'}" if isfinite(most) else ""
+
+
+def within(unit, above=-inf, minimum=-inf, maximum=inf, size=""):
     """Unit and limits in words.
 
     >>> within("m", above=0.0, maximum=10.0)
@@ -54,7 +59,7 @@ def within(unit, above=-inf, minimum=-inf, maximum=inf):
     said.append(f"more than {above:g}" if above >= minimum and isfinite(above) else "")
     said.append(f"at least {minimum:g}" if minimum > above else "")
     said.append(f"at most {maximum:g}" if isfinite(maximum) else "")
-    return ", ".join(filter(None, said))
+    return ", ".join(filter(None, (*said, size)))
 
 
 def documented(cls):
@@ -78,7 +83,8 @@ def entry(field):
     told, default = field.metadata, field.default
     default = repr(spelled(default) if isinstance(default, Enum) else default)
     default = default if len(default) <= LONGEST else f"{default[: LONGEST - 4]} ..."
-    limits = within(UNITS.get(told.get("unit")), *(told.get(key, none) for key, none in LIMITS.items()))
+    size = longest(told.get("most", inf), told.get("columns"))
+    limits = within(UNITS.get(told.get("unit")), *(told.get(key, none) for key, none in LIMITS.items()), size)
     limits = f"{limits}, " if limits else ""
     return f"{field.name} : {typed(field.type, told)}, {limits}default {default}\n    {told['doc']}.\n"
 

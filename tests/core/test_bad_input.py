@@ -12,7 +12,7 @@ from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectan
 from sweep_addon.core.digest import digest
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import Array, ShapeError
-from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 
 CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"
 SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
@@ -248,6 +248,30 @@ def test_a_long_list_is_refused_by_its_wrong_row():
     points[77_776, 1] = nan
     for given in (points, points.tolist()):
         assert refusal(lambda given=given: Polyline(given)).endswith("got nan in row 77777")
+
+
+@pytest.mark.parametrize(
+    ("make", "sentence"),
+    [
+        (Polyline, "points: must have at most 200000 points, got 500000"),
+        (Bezier, "points: must have at most 200000 points, got 500000"),
+        (Sampled, "points: must have at most 100000 points, got 500000"),
+        (Nurbs, "points: must have at most 50000 points, got 500000"),
+        (lambda points: Outline([points]), "loops: must have at most 200000 points, got 500000"),
+        (lambda points: Outline([[point] for point in points]), "loops: must have at most 200000 points, got 500000"),
+        (lambda points: Outline([[]] * len(points)), "loops: must have at most 200000 points, got 500000"),
+        (lambda points: Outline([SQUARE], [points]), "bulges: must have at most 200000 numbers, got 500000"),
+    ],
+)
+def test_a_list_that_is_too_long_is_counted_before_it_is_read(make, sentence):
+    """Not one of the rows is a point, and none is looked at."""
+    assert refusal(lambda: make([None] * 500_000)) == sentence
+
+
+@pytest.mark.parametrize(("kind", "most"), [(Polyline, 200_000), (Sampled, 100_000), (Nurbs, 50_000)])
+def test_the_longest_list_is_taken(kind, most):
+    turn = np.linspace(0, 100, most)
+    assert len(kind(np.stack((np.cos(turn), np.sin(turn), turn), axis=1)).points) == most
 
 
 def test_a_loop_outside_its_outline_is_an_island():

@@ -20,6 +20,7 @@ def test_rows_say_what_is_taken_and_in_which_limits():
     assert (row.takes, row.limits, row.default) == ("number", "m, more than 0", 0.1)
     assert ROWS["twist"].takes == "constant (number) | formula (text) | points (list of lists of 2 numbers)"
     assert (ROWS["twist"].limits, ROWS["twist"].default) == ("rad", 0.0)
+    assert ROWS["trajectory(polyline).points"].limits == "m, at most 200000 points"
     assert ROWS["trajectory"].default == "helix" and "helix" in ROWS["trajectory"].takes
     assert ROWS["frame(fixed-up).up"].takes == "list of 3 numbers"
 

@@ -29,7 +29,7 @@ def nested(depth):
         (lambda: Circle(radius=np.eye(2)), "radius: must be a number, got array([[1., 0.], [0., 1.]])"),
         (lambda: Circle(radius="1\n2"), r"radius: must be a number, got '1\n2'"),
         (lambda: Polyline(nested(5000)), "points: must be a list of 3 numbers each, got "),
-        (lambda: Polyline(np.zeros((10**6, 2))), "points: must be a list of 3 numbers each, got array([[0., 0.], "),
+        (lambda: Polyline(np.zeros((10**5, 2))), "points: must be a list of 3 numbers each, got array([[0., 0.], "),
         (lambda: Polyline("a" * 10**6), "points: must be a list of 3 numbers each, got 'aaa"),
     ],
 )

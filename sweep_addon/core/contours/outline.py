@@ -34,9 +34,13 @@ class Outline:
     1.0
     """
 
-    loops: tuple[Array, ...] = parameter((CORNERS,), "Corners of each closed loop", columns=2, unit="length")
+    loops: tuple[Array, ...] = parameter(
+        (CORNERS,), "Corners of each closed loop", columns=2, unit="length", most=MOST_POINTS
+    )
     bulges: tuple[Array, ...] = parameter(
-        (), "Bulge of the edge after each corner, loop by loop: tangent of a quarter of its arc's angle, left positive"
+        (),
+        "Bulge of the edge after each corner, loop by loop: tangent of a quarter of its arc's angle, left positive",
+        most=MOST_POINTS,
     )
     tolerance: float = parameter(
         0.0, "Largest distance of an arc from its chords; 0 is a thousandth of the outline's size", unit="length",

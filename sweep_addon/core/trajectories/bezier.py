@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..parameters import Array, ShapeError, declared, parameter, require
+from ..parameters import Array, ShapeError, declared, parameter, points, require
 from .chain import Chain
 
 NEAR_ZERO = 1e-9
@@ -24,7 +24,7 @@ class Bezier(Chain):
     [[1.5, 0.0, 0.0]]
     """
 
-    points: Array = parameter(DEFAULT, "Knots with their handles", columns=3, unit="length")
+    points: Array = points(DEFAULT, "Knots with their handles")
     closed: bool = parameter(False, "The last knot leads back to the first")
     radii: Array = parameter((), "Scale of the contour at each knot, evenly between them; none: all 1")
     tilts: Array = parameter((), "Turn of the contour at each knot, evenly between them; none: all 0", unit="angle")

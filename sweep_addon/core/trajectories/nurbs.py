@@ -6,7 +6,7 @@ from math import comb
 
 import numpy as np
 
-from ..parameters import Array, count, declared, parameter, require
+from ..parameters import Array, count, declared, parameter, points, require
 from .curve import Trajectory
 
 DEFAULT = ((0, 0, 0), (0, 0, 0.6), (0, 0.4, 1), (0, 1, 1))
@@ -31,7 +31,7 @@ class Nurbs(Trajectory):
     1.0
     """
 
-    points: Array = parameter(DEFAULT, "Control points", columns=3, unit="length")
+    points: Array = points(DEFAULT, "Control points", most=50_000)
     weights: Array = parameter((), "Weight of each control point; none: all 1")
     order: int = count(4, "Degree plus one", minimum=2, maximum=12)
     knots: Array = parameter((), "Knots, as many as points and order, and order - 1 more if closed; none: even")

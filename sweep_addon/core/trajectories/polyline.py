@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from ..corners import UNLIMITED, Corner, Mitre, Round
-from ..parameters import Array, ShapeError, declared, parameter, parameters, require
+from ..parameters import Array, ShapeError, declared, parameter, parameters, points, require
 from ..vectors import unit
 from .curve import NONE, SHARPEST
 from .legs import Cut, Legs
@@ -29,7 +29,7 @@ class Polyline(Legs):
     3.0
     """
 
-    points: Array = parameter(((0, 0, 0), (0, 0, 1)), "Corners of the path", columns=3, unit="length")
+    points: Array = points(((0, 0, 0), (0, 0, 1)), "Corners of the path")
     closed: bool = parameter(False, "The last corner leads back to the first")
     corner: Corner = parameter(Mitre(), "What becomes of the corners", splines=("POLY",))
     radii: Array = parameter((), "Scale of the contour at each corner, evenly between them; none: all 1")

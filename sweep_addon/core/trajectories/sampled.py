@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..parameters import Array, declared, parameter, require
+from ..parameters import Array, declared, parameter, points, require
 from .chain import Chain
 from .neighbours import derivatives
 
@@ -30,7 +30,7 @@ class Sampled(Chain):
     1.0
     """
 
-    points: Array = parameter(DEFAULT, "Points on the path", columns=3, unit="length")
+    points: Array = points(DEFAULT, "Points on the path", most=100_000)
     closed: bool = parameter(False, "The last point leads back to the first")
 
     def check(self):
