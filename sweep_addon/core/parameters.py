@@ -19,7 +19,7 @@ from typing import dataclass_transform, get_args, get_origin, get_type_hints
 
 import numpy as np
 
-from .wording import documented, longest, shown, spelled
+from .wording import MEASURES, documented, longest, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
@@ -233,7 +233,7 @@ def coerce_option(p, value):
 
 def coerce_number(p, value):
     number = isinstance(value, Real) and not isinstance(value, (bool, np.bool_)) and abs(value) < inf
-    require(number, "must be a number", value)
+    require(number, f"must be {MEASURES[p.unit]}", value)
     require(abs(value) <= LARGEST, f"must be at most {LARGEST:g} in size", value)
     require(p.type is float or value % 1 == 0, "must be a whole number", value)
     require(value > p.above, f"must be more than {p.above:g}", value)
@@ -275,14 +275,27 @@ def coerce_kind(p, value):
     names = {spelled(kind): kind for kind in p.kinds}
     if isinstance(value, str) and value in names:
         value = {"kind": value}
-    if isinstance(value, dict):
-        return from_table(names, value, lambda kind: inside(p, kind))
     forms = {float: Real, str: str, Array: (list, tuple, np.ndarray, Array)}
     for kind in p.kinds:
         for q in parameters(kind):
             if q.shorthand and isinstance(value, forms[q.type]):
-                return kind(**{q.name: value})
+                value = {"kind": spelled(kind), q.name: value}
+    if isinstance(value, dict):
+        with measured(p.unit):
+            return from_table(names, value, lambda kind: inside(p, kind))
     return pick(names, value)
+
+
+@contextmanager
+def measured(unit):
+    """Say in a refusal what a number would be, of a formula too: it may have been meant as one with its unit."""
+    try:
+        yield
+    except ShapeError as error:
+        said = error.sentence.replace("must be a number,", f"must be {MEASURES[unit]},")
+        if unit:
+            said = said.replace("must be an expression", f"must be {MEASURES[unit]} or an expression")
+        raise ShapeError(said, error.key) from error.__cause__
 
 
 def from_table(names, table, declared):

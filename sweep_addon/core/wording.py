@@ -12,6 +12,7 @@ from typing import get_args, get_origin
 
 import numpy as np
 
+MEASURES = {None: "a number", "length": "a number of metres", "angle": "a number of radians"}
 UNITS = {"length": "in metres", "angle": "in radians"}
 LIMITS = {"above": -inf, "minimum": -inf, "maximum": inf}
 REFUSED = "ShapeError\n    For any other value."

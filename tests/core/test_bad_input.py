@@ -33,9 +33,9 @@ def count(contours):
 VALUES = {  # refused when it is made
     "radius: must be more than 0, got 0": (Circle, 0),
     "radius: must be more than 0, got -1": (Circle, -1),
-    "radius: must be a number, got nan": (Circle, nan),
-    "radius: must be a number, got '1 mm'": (Circle, "1 mm"),
-    "radius: must be a number, got True": (Circle, True),
+    "radius: must be a number of metres, got nan": (Circle, nan),
+    "radius: must be a number of metres, got '1 mm'": (Circle, "1 mm"),
+    "radius: must be a number of metres, got True": (Circle, True),
     "radius: must be at most 1e+12 in size, got 1e+300": (Circle, 1e300),
     f"radius: must be at most 1e+12 in size, got 1{'0' * 56}...": (Circle, 10**400),
     "points: must be at least 3, got 2": (Circle, 1, 2),
@@ -77,7 +77,7 @@ VALUES = {  # refused when it is made
         Outline, [SQUARE, [(1, 1), (4, 1), (4, 2), (1, 2)]]
     ),
     "loops: must have finite numbers up to 1e+12 in size, got nan in row 2": (Outline, [[(0, 0), (nan, 0), (1, 1)]]),
-    "points: must have at least 2 points, got 1": (Polyline, THERE[:1]),
+    "points: must have at least 2 points, got 0": (Polyline, np.empty((0, 3))),
     "points: must have at least 3 points, got 2": (Polyline, THERE[:2], True),
     "points: must not be where the next one is, got point 2 at [1.0, 0.0, 0.0]": (
         Polyline, [(0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 1, 0)]
@@ -113,6 +113,9 @@ VALUES = {  # refused when it is made
     "points: must be a multiple of 3: knot, handle, handle, ..., got 4": (Bezier, THERE, True),
     "points: must have no segment without length, got segment 2": (Bezier, [*THERE, *[(3, 0, 0)] * 3]),
     "points: must not turn back on itself, got a cusp at u = 0.5": (Bezier, CUSP),
+    "points: must have at least 4 points, got 1": (Bezier, THERE[:1]),
+    "points: must have at least 3 points, got 0": (Bezier, np.empty((0, 3)), True),
+    "points: must have at least 2 points, got 1": (Nurbs, THERE[:1]),
     "order: must be at most 2, the number of control points, got 4": (Nurbs, THERE[:2]),
     "points: must not all be in one place, got [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0,...": (
         Nurbs, [(0, 0, 0)] * 5
@@ -124,6 +127,8 @@ VALUES = {  # refused when it is made
         Nurbs, THERE, (), 4, [0, 1, 2, 3, 2, 5, 6, 7]
     ),
     "angle: must be more than 0, got 0": (Arc, 1.0, 0),
+    "angle: must be a number of radians, got '90 deg'": (Arc, 1.0, "90 deg"),
+    "end: must be a number of metres, got '1 m'": (Line, (0, 0, 0), (0, 0, "1 m")),
     "angle: must be at most 6.28319, got 6.2832": (Arc, 1.0, 6.2832),
     "turns: must be at most 10000, got 1e+09": (Helix, 1.0, 0.5, 1e9),
     "pitch: must be at least 1e-06 in size, or a whole turn lies on itself, got 0": (Helix, 1.0, 0.0, 1.0),

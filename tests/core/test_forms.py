@@ -85,7 +85,13 @@ START = 'kind = "generalized-cylinder"\n'
         "version = 'a'": "version: must be a whole number, at least 1, got 'a'",
         START + "radios = 1": "radios: is no parameter of GeneralizedCylinder, which has contour, trajectory, ",
         START + "contour = {kind = 'circle', radius = -1}": "contour.radius: must be more than 0, got -1",
-        START + "contour = {kind = 'circle', radius = '1 mm'}": "contour.radius: must be a number, got '1 mm'",
+        START
+        + "contour = {kind = 'circle', radius = '1 mm'}": "contour.radius: must be a number of metres, got '1 mm'",
+        START + "twist = {kind = 'constant', value = '1'}": "twist: must be a number of radians, got '1'",
+        START + "twist = '90 deg'": "twist: must be a number of radians or an expression of u, t, s: an operator is "
+        "missing at character 4 before 'deg', got '90 deg'",
+        START + "offset_x = '10 mm'": "offset_x: must be a number of metres or an expression of u, t, s: an operator "
+        "is missing at character 4 before 'mm', got '10 mm'",
         START + "scale_x = '1 - q'": "scale_x: must be an expression of u, t, s: 'q' at character 5 is no name",
         START + "scale_x = nan": "scale_x: must be a number, got nan",
         START + "[contour]\nkind = 'circle'\nradius = " + "9" * 400: "must have numbers of at most 64 bits, got 999",

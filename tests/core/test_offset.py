@@ -145,8 +145,8 @@ def test_texture_and_attributes_are_those_of_the_trajectory(far):
 
 
 REFUSED = {
-    "offset_x: must be a number, got nan": {"offset_x": float("nan")},
-    "offset_y: must be a number, got inf": {"offset_y": float("inf")},
+    "offset_x: must be a number of metres, got nan": {"offset_x": float("nan")},
+    "offset_y: must be a number of metres, got inf": {"offset_y": float("inf")},
     "offset_x: must be at most 1e+12 in size, got 1e+13": {"offset_x": 1e13},
     "offset_x: must be at most 1e+12 in size, got 1e+300": {"offset_x": "1e300*t"},
     "offset_x: must be finite everywhere, got nan at u = 0, t = 0, s = 0": {"offset_x": "log(-t - 1)"},

@@ -24,10 +24,10 @@ def nested(depth):
     [
         (lambda: Circle(points=10**5000), "points: must be at most 1e+12 in size, got 0x"),
         (lambda: Circle(points=np.int64(2)), "points: must be at least 3, got 2"),
-        (lambda: Circle(radius=nested(5000)), "radius: must be a number, got "),  # which newer Pythons can write
-        (lambda: Circle(radius=[10**5000]), "radius: must be a number, got a list"),
-        (lambda: Circle(radius=np.eye(2)), "radius: must be a number, got array([[1., 0.], [0., 1.]])"),
-        (lambda: Circle(radius="1\n2"), r"radius: must be a number, got '1\n2'"),
+        (lambda: Circle(radius=nested(5000)), "radius: must be a number of metres, got "),  # newer Pythons can write it
+        (lambda: Circle(radius=[10**5000]), "radius: must be a number of metres, got a list"),
+        (lambda: Circle(radius=np.eye(2)), "radius: must be a number of metres, got array([[1., 0.], [0., 1.]])"),
+        (lambda: Circle(radius="1\n2"), r"radius: must be a number of metres, got '1\n2'"),
         (lambda: Polyline(nested(5000)), "points: must be a list of 3 numbers each, got "),
         (lambda: Polyline(np.zeros((10**5, 2))), "points: must be a list of 3 numbers each, got array([[0., 0.], "),
         (lambda: Polyline("a" * 10**6), "points: must be a list of 3 numbers each, got 'aaa"),

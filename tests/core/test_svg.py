@@ -100,6 +100,15 @@ CHAIN = "".join(f'<use id="a{i + 1}" href="#a{i}"/>' for i in range(3000))
         (svg('<path d="M0 0h1v1" fill="none"/>'), "the SVG text must fill at least one path, got only unfilled ones"),
         (svg('<path d="M0 0h9"/>'), "the SVG text must fill an area, got 0"),
         (svg('<path d="M0 0h1e999v1z"/>'), "the SVG text must have finite numbers"),
+        (svg('<path d="hello"/>'), "the SVG text must have path data that can be understood, got 'hello'"),
+        (
+            svg('<path d="M0 0h1v1z"/><path d="hello world"/>'),
+            "the SVG text must have path data that can be understood, got 'hello world'",
+        ),
+        (
+            svg('<path d="M0 0h1v1z" transform="matrix(1)"/>'),
+            "the SVG text must have transforms that can be understood",
+        ),
         ("<svg><path</svg>", "the SVG text must be XML, got an error: not well-formed"),
         ("<html/>", "the SVG text must have an svg element at its root, got 'html'"),
         (
@@ -120,7 +129,7 @@ CHAIN = "".join(f'<use id="a{i + 1}" href="#a{i}"/>' for i in range(3000))
             "the SVG text must overlap at no more than 1000000 pairs of edges",
         ),
     ],
-    ids=range(18),
+    ids=range(21),
 )
 def test_what_fills_nothing_or_would_fill_memory_is_refused_in_one_sentence(text, sentence):
     with pytest.raises(ShapeError) as refusal:

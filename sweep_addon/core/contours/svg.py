@@ -3,12 +3,13 @@
 """Contours from SVG drawings."""
 
 import io
+from contextlib import suppress
 from xml.etree import ElementTree
 
 import numpy as np
 
 from ..documents import about, content
-from ..parameters import ShapeError
+from ..parameters import ShapeError, shown
 from .flatten import cubics_from_lines, cubics_from_quadratics
 from .reading import argument, library, outline
 from .svg_document import LARGEST, tree
@@ -70,12 +71,27 @@ def drawn_figures(root, width, height):
         shapes = [shape for shape in drawing.elements() if isinstance(shape, svgelements.Shape)]
         shapes = [(shape, paths_of(svgelements, shape)) for shape in shapes]
     except Exception as error:  # the parser meets wrong numbers, units and colours in ways of its own
+        refuse_misspelt(svgelements, root)
         raise ShapeError(f"has something that cannot be understood: {error}") from error
     shapes = [(shape, paths) for shape, paths in shapes if paths]
     figures = [(paths, shape.values.get("fill-rule")) for shape, paths in shapes if is_filled(shape)]
     if not figures:
         raise ShapeError(f"must fill at least one path, got {'only unfilled ones' if shapes else 'none'}")
     return figures
+
+
+def refuse_misspelt(svgelements, root):
+    """Refuse the first path data or transform that cannot be read, now that it is known that something cannot."""
+
+    def drawn(text):
+        return paths_of(svgelements, svgelements.Path(text))
+
+    for key, what, read in ("d", "path data", drawn), ("transform", "transforms", svgelements.Matrix):
+        for text in filter(None, (element.get(key) for element in root.iter())):
+            with suppress(Exception):
+                read(text)
+                continue
+            raise ShapeError(f"must have {what} that can be understood, got {shown(text)}")
 
 
 def is_filled(shape):

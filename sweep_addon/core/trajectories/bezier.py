@@ -32,9 +32,9 @@ class Bezier(Chain):
     def check(self):
         """Refuse a number of points that makes no segments, a segment without length, and a cusp."""
         rest = 0 if self.closed else 1
-        fits = len(self.points) > 3 - self.closed and len(self.points) % 3 == rest
+        require(len(self.points) >= 3 + rest, f"must have at least {3 + rest} points", len(self.points), "points")
         form = "a multiple of 3" if self.closed else "1 more than a multiple of 3"
-        require(fits, f"must be {form}: knot, handle, handle, ...", len(self.points), "points")
+        require(len(self.points) % 3 == rest, f"must be {form}: knot, handle, handle, ...", len(self.points), "points")
         moves = np.abs(np.diff(self.segments, axis=1)).max(axis=(1, 2))
         still = moves <= 1e-9 * max(np.ptp(self.points.values, axis=0).max(), 1e-300)
         if still.any():

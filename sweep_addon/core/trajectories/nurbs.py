@@ -44,6 +44,7 @@ class Nurbs(Trajectory):
     def check(self):
         """Refuse numbers of points, weights, knots, radii or tilts that do not fit, and what has no length."""
         size = len(self.points)
+        require(size >= 2, "must have at least 2 points", size, "points")
         require(self.order <= size, f"must be at most {size}, the number of control points", self.order, "order")
         self.check_carried(size)
         weights, knots = self.weights.values, self.knots.values
