@@ -19,7 +19,7 @@ from typing import dataclass_transform, get_args, get_origin, get_type_hints
 
 import numpy as np
 
-from .wording import MEASURES, documented, longest, shown, spelled
+from .wording import MEASURES, documented, longest, named, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
@@ -305,7 +305,7 @@ def from_table(names, table, declared):
         kind = pick(names, table.pop("kind", None))
     known = {q.name: q.default for q in declared(kind)}
     for key in (key for key in table if key not in known):
-        raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", key)
+        raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", named(key))
     return kind(**known | table)
 
 

@@ -37,6 +37,11 @@ def shown(value):
     return line if len(line) <= 60 else f"{line[:57]}..."
 
 
+def named(key):
+    """A key as a refusal names it: itself where it is a name that fits, or else as a value."""
+    return key if isinstance(key, str) and re.fullmatch(r"[\w-]{1,60}", key) else shown(key)
+
+
 @cache
 def spelled(kind, joint="-"):
     """The name of a class (FixedUp) or of an Enum's member (FIXED_UP) as jobs (fixed-up) or identifiers have it."""

@@ -49,6 +49,14 @@ def test_check_answers_for_each_job(tmp_path, job, capsys):
     assert told.out.startswith(str(job))
 
 
+def test_a_key_of_two_lines_is_told_in_one(tmp_path, capsys):
+    job = tmp_path / "job.toml"
+    job.write_text('kind = "generalized-cylinder"\n"con\\ntour" = 1\n')
+    assert main(["check", str(job)]) == 2
+    told = capsys.readouterr().err
+    assert r"'con\ntour': is no parameter of GeneralizedCylinder" in told and told.count("\n") == 1
+
+
 def test_describe_tells_units_limits_and_defaults(capsys):
     assert main(["describe", "generalized-cylinder"]) == 0
     told = capsys.readouterr().out

@@ -31,13 +31,15 @@ def written(folder, text, name="job.toml"):
     "text, sentence",
     {
         START + "\nradios = 1": ":4: radios: is no parameter of GeneralizedCylinder, which has contour, ",
-        START
-        + "[contour]\nkind = 'circle'\nradius = '3 cm'": ":5: contour.radius: must be a number of metres, got '3 cm'",
+        START + "[contour]\nkind = 'circle'\nradius = '3 cm'": (
+            ":5: contour.radius: must be a number of metres, got '3 cm'"
+        ),
         START + "[contour]\nkind = 'rectangle'\nwidth = 1\nheight = 1\nrounding = 2": (
             ":7: contour.rounding: must be at most 0.5, half the shorter side, got 2"
         ),
-        START
-        + "twist = '90 degrees'": ":3: twist: must be a number of radians or an expression of u, t, s: an operator ",
+        START + "twist = '90 degrees'": (
+            ":3: twist: must be a number of radians or an expression of u, t, s: an operator is missing at "
+        ),
         START + "scale_x = '9**9**9**9'": ":3: scale_x: must be finite everywhere, got inf",
         START + "[render]\nwidth = 2": ":4: render.width: must be at least 16, got 2",
         START + "[render]\nwidht = 200": ":4: render.widht: is no parameter of Render, which has engine, width, ",

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Circle
+from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import ShapeError, shown
 from sweep_addon.core.trajectories import Polyline
 
@@ -39,6 +40,16 @@ def test_a_refusal_of_what_cannot_be_written_is_a_sentence(make, sentence):
     got = str(refusal.value).partition(", got ")[2]
     assert str(refusal.value).startswith(sentence)
     assert "\n" not in got and len(got) <= 60
+
+
+@pytest.mark.parametrize(
+    ("key", "said"),
+    [("con\ntour", r"'con\ntour'"), ("\x1b[2J", r"'\x1b[2J'"), ("k" * 10**6, "'" + 56 * "k" + "..."), (2, "2")],
+)
+def test_an_unknown_key_is_told_on_one_short_line(key, said):
+    with pytest.raises(ShapeError) as refusal:
+        GeneralizedCylinder(contour={"kind": "circle", key: 1})
+    assert str(refusal.value) == f"contour.{said}: is no parameter of Circle, which has radius, points"
 
 
 @given(
