@@ -9,6 +9,8 @@ import numpy as np
 
 from .parameters import declared, length, parameter
 
+__all__ = ["Bevel", "Corner", "Mitre", "Round"]
+
 UNLIMITED = 20_000.0  # widths: at the sharpest turn there is, of 179.99 degrees, a mitre is 11,459 widths long
 
 
@@ -74,3 +76,7 @@ class Bevel:
 
 
 Corner = Mitre | Round | Bevel
+
+
+def __dir__():
+    return __all__  # what a console offers

@@ -4,6 +4,8 @@
 
 from .parameters import declared, length, parameter
 
+__all__ = ["End", "Flat", "Open", "Round", "Taper"]
+
 
 @declared
 class Flat:
@@ -63,3 +65,7 @@ class Round:
 
 
 End = Flat | Open | Taper | Round
+
+
+def __dir__():
+    return __all__  # what a console offers

@@ -21,6 +21,8 @@ from .trajectories.arc_length import arc_length
 from .transport import transport
 from .vectors import unit
 
+__all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
+
 PLACES = 2049  # where it is looked at how a frame turns
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
@@ -170,6 +172,10 @@ class FixedUp(OfItsPlace):
 
 
 Frame = RotationMinimizing | Frenet | FixedUp
+
+
+def __dir__():
+    return __all__  # what a console offers
 
 
 def axes(frame, stations, twist, symmetry=1):

@@ -11,6 +11,8 @@ import numpy as np
 from .expressions import compile, finite
 from .parameters import Array, declared, parameter, require
 
+__all__ = ["Constant", "Formula", "Law", "Points"]
+
 NAMES = ("u", "t", "s")  # what a formula may use
 CLOSEST = 1e-9  # the least distance in t of two control points
 
@@ -100,6 +102,10 @@ class Points:
 
 
 Law = Constant | Formula | Points
+
+
+def __dir__():
+    return __all__  # what a console offers
 
 
 def monotone_slopes(knots, values):

@@ -13,6 +13,8 @@ from .trajectories.arc_length import arc_length
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import norms, unit
 
+__all__ = ["Count", "Sampling", "Tolerance"]
+
 MOST_STATIONS = 200_000
 FINEST = 1e-9  # metres
 FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
@@ -64,6 +66,10 @@ class Count:
 
 
 Sampling = Tolerance | Count
+
+
+def __dir__():
+    return __all__  # what a console offers
 
 
 def rendered(shape):

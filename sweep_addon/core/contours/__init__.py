@@ -44,6 +44,11 @@ __all__ = [
     "from_text",
 ]
 
+
+def __dir__():
+    return __all__  # what a console offers
+
+
 LATER = {"from_svg": ".svg", "from_text": ".fonts"}
 
 

@@ -31,3 +31,7 @@ __all__ = [
     "from_csv",
     "from_gpx",
 ]
+
+
+def __dir__():
+    return __all__  # what a console offers

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The namespaces of the library offer their kinds, and nothing of what these are made with."""
+
+from typing import get_args
+
+import pytest
+
+import sweep_addon as sw
+from sweep_addon.core.parameters import parameters
+
+UNIONS = {
+    "contours": "Contour",
+    "corners": "Corner",
+    "ends": "End",
+    "frames": "Frame",
+    "laws": "Law",
+    "sampling": "Sampling",
+    "trajectories": "Trajectory",
+}
+
+
+@pytest.mark.parametrize("name", UNIONS)
+def test_a_namespace_offers_its_kinds_and_nothing_else(name):
+    space = getattr(sw, name)
+    assert sorted(dir(space)) == sorted(space.__all__)
+    assert all(hasattr(space, public) for public in space.__all__)
+    assert {kind.__name__ for kind in get_args(getattr(space, UNIONS[name]))} <= set(dir(space))
+    assert not {"np", "Enum", "require", "parameter", "declared"} & set(dir(space))
+
+
+def test_every_choice_of_a_shape_is_in_a_namespace():
+    offered = {id(getattr(getattr(sw, name), union)) for name, union in UNIONS.items()}
+    assert all(id(p.type) in offered for p in parameters(sw.GeneralizedCylinder) if p.kinds)
