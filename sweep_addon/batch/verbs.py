@@ -93,17 +93,29 @@ def describe(told):
     if told.schema:
         say(json.dumps(jobs.schema(), indent=2))
         return 0
-    kinds = dict(SHAPE_NAMES)
     if not told.shape:
-        say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in kinds.items()))
+        say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in SHAPE_NAMES.items()))
         return 0
-    for p in (p for shape in SHAPES for p in parameters(shape)):
-        kinds |= {spelled(kind): kind for kind in p.kinds if spelled(kind) not in kinds}
-    kinds["render"] = jobs.Render
+    kinds = described()
     require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")
-    said = description.markdown(kinds[told.shape]) if told.markdown else table(told.shape, kinds[told.shape])
-    say(said)
+    tables = (description.markdown(kind) if told.markdown else table(told.shape, kind) for kind in kinds[told.shape])
+    say("\n\n".join(tables))
     return 0
+
+
+def described():
+    """All that can be described by its name in a job; a law and a trajectory are both a formula."""
+    kinds = {name: [kind] for name, kind in SHAPE_NAMES.items()}
+    for kind in dict.fromkeys(kind for shape in SHAPES for kind in choices(shape)):
+        kinds.setdefault(spelled(kind), []).append(kind)
+    return kinds | {"render": [jobs.Render]}
+
+
+def choices(owner):
+    """The kinds that the parameters of a shape, or of a kind, can be, and those of their own parameters."""
+    for kind in (kind for p in parameters(owner) for kind in p.kinds):
+        yield kind
+        yield from choices(kind)
 
 
 def table(name, kind):

@@ -67,6 +67,16 @@ def test_describe_tells_units_limits_and_defaults(capsys):
     assert json.loads(capsys.readouterr().out)["title"] == "Sweep job"
 
 
+def test_describe_tells_of_all_kinds_of_a_name(capsys):
+    assert main(["describe", "formula"]) == main(["describe", "round"]) == 0
+    told = capsys.readouterr().out
+    for kind in (sw.trajectories.Formula, sw.laws.Formula, sw.ends.Round, sw.corners.Round):
+        assert kind.__doc__.partition("\n")[0] in told
+    assert main(["describe", "formula", "--markdown"]) == 0
+    told = capsys.readouterr().out
+    assert told.count("| parameter |") == 2 and "| `text` |" in told and "| `closed` |" in told
+
+
 @pytest.mark.parametrize(
     "arguments, sentence",
     {
