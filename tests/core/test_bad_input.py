@@ -116,6 +116,9 @@ VALUES = {  # refused when it is made
     "points: must have at least 4 points, got 1": (Bezier, THERE[:1]),
     "points: must have at least 3 points, got 0": (Bezier, np.empty((0, 3)), True),
     "points: must have at least 2 points, got 1": (Nurbs, THERE[:1]),
+    "points: must have at most 5555 points where the order is 12, got 5556": (
+        Nurbs, np.eye(5556, 3), (), 12
+    ),
     "order: must be at most 2, the number of control points, got 4": (Nurbs, THERE[:2]),
     "points: must not all be in one place, got [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0,...": (
         Nurbs, [(0, 0, 0)] * 5

@@ -9,6 +9,7 @@ import numpy as np
 from ..parameters import Array, count, declared, parameter, points, require
 from .curve import Trajectory
 
+MOST = 50_000  # control points up to order 4, for which a few seconds are enough
 DEFAULT = ((0, 0, 0), (0, 0, 0.6), (0, 0.4, 1), (0, 1, 1))
 
 
@@ -31,7 +32,7 @@ class Nurbs(Trajectory):
     1.0
     """
 
-    points: Array = points(DEFAULT, "Control points", most=50_000)
+    points: Array = points(DEFAULT, "Control points", most=MOST)
     weights: Array = parameter((), "Weight of each control point; none: all 1")
     order: int = count(4, "Degree plus one", minimum=2, maximum=12)
     knots: Array = parameter((), "Knots, as many as points and order, and order - 1 more if closed; none: even")
@@ -45,6 +46,8 @@ class Nurbs(Trajectory):
         """Refuse numbers of points, weights, knots, radii or tilts that do not fit, and what has no length."""
         size = len(self.points)
         require(size >= 2, "must have at least 2 points", size, "points")
+        most = MOST * 4**2 // max(4, self.order) ** 2  # a point of the curve takes time as the order's square
+        require(size <= most, f"must have at most {most} points where the order is {self.order}", size, "points")
         require(self.order <= size, f"must be at most {size}, the number of control points", self.order, "order")
         self.check_carried(size)
         weights, knots = self.weights.values, self.knots.values
