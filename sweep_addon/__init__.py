@@ -37,6 +37,10 @@ __all__ = [
 LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".bridge.objects", "reach": ".core.reach"}
 
 
+def __dir__():
+    return sorted({*globals(), *__all__})
+
+
 def __getattr__(name):
     # Jobs, Blender and what takes long are loaded when they are asked for: most scripts need none.
     from importlib import import_module

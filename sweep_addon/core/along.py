@@ -124,6 +124,13 @@ class Along:
             return 1 if section.is_round else section.symmetry
         return gcd(section.symmetry, 2)
 
+    @property
+    def scaled_by(self):
+        """The keys of what changes the scales along e2 and e3: the laws, or where these do not, the path's radii."""
+        laws = self.scale_x, self.scale_y
+        radii = self.trajectory.carries and all(law.is_constant for law in laws)
+        return ("trajectory.radii",) * 2 if radii else ("scale_x", "scale_y")
+
     def crossings(self):
         """Arc lengths where the scale along e2 passes zero, by bisection of all of them at once."""
         s, scale, *_ = searched(self)
@@ -229,8 +236,8 @@ def bend_beside(offset, twist, s):
     return np.sqrt(np.maximum(np.abs(acceleration) ** 2 - along, 0.0))
 
 
-def tips(scale_x, scale_y, largest, closed):
-    """Where the contour is a point: a (n,) bool array; and whether it is mirrored.
+def tips(scale_x, scale_y, largest, closed, keys=("scale_x", "scale_y")):
+    """Where the contour is a point: a (n,) bool array; and whether it is mirrored. The keys name what scales it.
 
     Raises
     ------
@@ -253,5 +260,5 @@ def tips(scale_x, scale_y, largest, closed):
         if wrong.any():
             contour = int(np.argmax(wrong))
             got = (scale_x if key == "scale_x" else scale_y)[contour]
-            raise ShapeError(f"{sentence}, got {got:.6g} at contour {contour + 1}", key)
+            raise ShapeError(f"{sentence}, got {got:.6g} at contour {contour + 1}", keys[key == "scale_y"])
     return x == 0, bool(first < 0)

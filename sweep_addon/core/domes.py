@@ -9,7 +9,7 @@ import numpy as np
 from .cells import WIDEST_TURN
 from .ends import Round
 from .parameters import at, require
-from .sampling import Tolerance
+from .sampling import MOST_STATIONS, Tolerance
 
 SEEN = 1e-9  # of the contour's size squared: what the centroid must see of every edge
 
@@ -123,6 +123,8 @@ def steps(samples, radius, points):
     if isinstance(samples, Tolerance):
         turn = 4 * np.arcsin(np.sqrt(min(samples.chord / radius, 1.0) / 2))
         wanted = np.pi / 2 / turn
+        most = f"must be larger: a round end takes {wanted:,.0f} contours of {MOST_STATIONS:,} at most"
+        require(wanted <= MOST_STATIONS, most, samples.chord, "samples.chord")
     else:
         wanted = min(points / 4, samples.contours)  # as round as the contour of a circle
     return int(np.ceil(max(wanted, np.pi / 2 / WIDEST_TURN) - 1e-9))

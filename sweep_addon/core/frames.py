@@ -122,17 +122,18 @@ class Frenet(OfItsPlace):
         bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
         curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
         found = signed_angle(normals, bend, stations.leave)
-        if not curved.any():
+        refused = self.continuation is Continuation.REFUSE
+        if not (curved.any() or refused):
             return np.zeros(len(found)), (
                 "Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",
             )
-        filled = fill(stations, found, curved, holonomy)
+        filled = fill(stations, found, curved, holonomy) if curved.any() else found
         flips = flipping(filled, stations, holonomy)
         told = ()
         if not curved.all() or flips.any():
             place = stations.u[np.argmax(~curved if not curved.all() else flips)]
             told = (f"Frame: the curvature vanishes near u = {place:.4g}, where the Frenet frame is not defined.",)
-            if self.continuation is Continuation.REFUSE:
+            if refused:
                 sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place:.4g}"
                 raise ShapeError(sentence, "frame.continuation")
         if self.continuation is Continuation.SMOOTH:

@@ -155,7 +155,7 @@ class GeneralizedCylinder:
     def carried(self, section, along, stations, symmetry, turn):
         """The section carried by the frame to every station: a `Body`; it meets itself turned by that angle."""
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
-        points, mirrored = tips(scale_x, scale_y, along.largest, stations.closed)
+        points, mirrored = tips(scale_x, scale_y, along.largest, stations.closed, along.scaled_by)
         e2, e3, told = axes(self.frame, stations, twist, symmetry)
         rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
         if self.fit is Fit.AREA_TRUE:
@@ -176,7 +176,7 @@ class GeneralizedCylinder:
         Parameters
         ----------
         most : int
-            Of places; where the trajectory is short they are no closer than the contour is large. Corners come first.
+            Of places; where the trajectory is short they are no closer than the contour is large.
 
         Returns
         -------
@@ -190,6 +190,7 @@ class GeneralizedCylinder:
         ([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.0, 1.0], (5, 64, 3))
         """
         section, closed = section_of(self.contour, Fit.INSCRIBED), self.trajectory.closed
+        require(most >= 2, "must be at least 2", most, "most")
         along, symmetry, reach, _ = self.laid_out(section, (Flat(), Flat()) if closed else (self.start, self.end))
         steps = arc_length(along.trajectory).total / max(reach * along.largest, ROUNDING)
         stations = place(along.trajectory, Count(int(np.clip(steps + (not closed), 2, most))))

@@ -13,8 +13,9 @@ from functools import lru_cache
 import numpy as np
 
 from .cells import bend
-from .parameters import ShapeError
+from .parameters import ShapeError, require
 from .trajectories.arc_length import arc_length, subdivided
+from .trajectories.curve import Trajectory
 from .vectors import norms
 
 CELLS = 2048  # at least: two in each of the shortest arcs
@@ -73,6 +74,7 @@ def reach(trajectory):
     >>> round(reach(TorusKnot(2, 3, major=2.0, minor=0.8)).radius, 12)
     0.8
     """
+    require(isinstance(trajectory, Trajectory), "must be a trajectory", trajectory, "trajectory")
     corners = trajectory.corners()
     if len(corners):
         raise ShapeError(f"must be smooth, or it has no reach, got a corner at u = {corners[0]:.6g}", "trajectory")

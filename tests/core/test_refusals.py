@@ -8,9 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Circle
+from sweep_addon.core.frames import Frenet
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import ShapeError, shown
-from sweep_addon.core.trajectories import Polyline
+from sweep_addon.core.reach import reach
+from sweep_addon.core.sampling import Tolerance
+from sweep_addon.core.trajectories import Line, Polyline, from_gpx
 
 
 def nested(depth):
@@ -50,6 +53,40 @@ def test_an_unknown_key_is_told_on_one_short_line(key, said):
     with pytest.raises(ShapeError) as refusal:
         GeneralizedCylinder(contour={"kind": "circle", key: 1})
     assert str(refusal.value) == f"contour.{said}: is no parameter of Circle, which has radius, points"
+
+
+PATH = Polyline([(0, 0, z) for z in range(4)], radii=(1, 0, 0, 1))
+TRACK = '<gpx><trk><trkseg><trkpt lat="0" lon="0"/><trkpt lat="0" lon="1"/></trkseg></trk></gpx>'
+HUGE = GeneralizedCylinder(Circle(1e10), Line(end=(0, 0, 1e10)), Tolerance(1e-9), end="round")
+
+
+@pytest.mark.parametrize(
+    ("make", "sentence"),
+    [
+        (
+            HUGE.mesh,
+            "samples.chord: must be larger: a round end takes 1,756,203,683 contours of 200,000 at most, got 1e-09",
+        ),
+        (
+            GeneralizedCylinder(trajectory=Line(), frame=Frenet("refuse")).mesh,
+            "frame.continuation: must be smooth or exact where the curvature vanishes, got refuse near u = 0",
+        ),
+        (
+            GeneralizedCylinder(trajectory=PATH).mesh,
+            "trajectory.radii: must not stay 0 along a stretch, got 0 at contour 2",
+        ),
+        (lambda: GeneralizedCylinder().frames(1), "most: must be at least 2, got 1"),
+        (lambda: reach(Circle()), "trajectory: must be a trajectory, got Circle(radius=1.0, points=64)"),
+    ],
+)
+def test_a_refusal_names_what_would_have_to_change(make, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        make()
+    assert str(refusal.value) == sentence
+
+
+def test_an_origin_in_text_is_the_numbers_it_says():
+    assert from_gpx(TRACK, origin=("0", "0", "0")) == from_gpx(TRACK, origin=(0, 0, 0))
 
 
 @given(

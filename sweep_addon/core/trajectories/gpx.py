@@ -52,7 +52,7 @@ def from_gpx(text_or_path, origin=None, closed=None):
     1113.19
     """
     if origin is not None:
-        require_place(origin)
+        origin = required_place(origin)
     data, subject = content(text_or_path, "GPX", "<", LARGEST_FILE)
     with about(subject):
         places = track(parsed(data))
@@ -62,14 +62,15 @@ def from_gpx(text_or_path, origin=None, closed=None):
         return through(np.column_stack((east_north, places[:, 2] - origin[2])), closed)
 
 
-def require_place(origin):
-    """Refuse what is no latitude, longitude and elevation."""
+def required_place(origin):
+    """A latitude, longitude and elevation as (3,) floats; what is none is refused."""
     try:
         numbers = np.asarray(origin, dtype=float)
     except (TypeError, ValueError):
         numbers = np.empty(0)
     sentence = "must be a latitude and a longitude of at most 90 and 180 degrees, and an elevation"
     require(numbers.shape == (3,) and (np.abs(numbers) <= (90, 180, LARGEST)).all(), sentence, origin, "origin")
+    return numbers
 
 
 def track(root):
