@@ -81,6 +81,7 @@ def check(told):
             with pointing_at(job):
                 mesh = job.shape.mesh()
             say(f"{path}: {len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces")
+            sys.stderr.writelines(f"{path}: {sentence}\n" for sentence in mesh.told)
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
             code = max(code, code_of(refusal))

@@ -93,6 +93,9 @@ class Array:
     def __len__(self):
         return len(self.values)
 
+    def __getitem__(self, index):
+        return self.values[index]
+
     def __array__(self, dtype=None, copy=None):
         return np.array(self.values, dtype=dtype) if copy else np.asarray(self.values, dtype=dtype)
 

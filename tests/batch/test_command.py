@@ -57,6 +57,13 @@ def test_a_key_of_two_lines_is_told_in_one(tmp_path, capsys):
     assert r"'con\ntour': is no parameter of GeneralizedCylinder" in told and told.count("\n") == 1
 
 
+def test_check_says_what_people_should_know(tmp_path, capsys):
+    told = tmp_path / "told.toml"
+    told.write_text(sw.dump(sw.GeneralizedCylinder(trajectory=sw.trajectories.Line(), frame=sw.frames.Frenet())))
+    assert main(["check", str(told)]) == 0
+    assert capsys.readouterr().err.startswith(f"{told}: Frame: the trajectory is straight and has no Frenet frame")
+
+
 def test_describe_tells_units_limits_and_defaults(capsys):
     assert main(["describe", "generalized-cylinder"]) == 0
     told = capsys.readouterr().out

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.expressions import compile
+from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Tolerance, place
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
@@ -204,3 +205,17 @@ def test_tangents_where_the_speed_vanishes_are_their_limits():
     assert np.abs(there_and_back.tangents(np.array([1.0, 2.0]), before=True) - [(0.6, 0.8, 0), (0, 0, 1)]).max() < 1e-15
     late = Bezier([(0, 0, 0), (0, 0, 0), (0, 0, 0), (0, 2, 0)])
     assert np.abs(late.tangents(ends) - (0, 1, 0)).max() < 1e-15
+
+
+def test_a_turn_in_six_digits_is_a_full_turn():
+    """The number that the docs and a refusal print, and what single precision makes of a turn."""
+    for angle in (6.28319, float(np.float32(2 * np.pi)), 6.283185):
+        assert Arc(angle=angle).closed and Arc(angle=angle).length() == Arc(angle=2 * np.pi).length()
+    assert not Arc(angle=6.2831).closed
+    with pytest.raises(ShapeError, match="^angle: must be at most 6.28"):
+        Arc(angle=6.3)
+
+
+def test_points_are_read_back_one_by_one():
+    path = Polyline([(0, 0, 0), (0, 0, 1)])
+    assert [point.tolist() for point in path.points] == [[0, 0, 0], [0, 0, 1]] and path.points[1, 2] == 1

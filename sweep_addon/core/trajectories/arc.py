@@ -9,7 +9,7 @@ import numpy as np
 from ..parameters import angle, declared, length
 from .curve import Trajectory
 
-WHOLE = 1e-6  # radians: an arc this near to a full turn is one, for single precision writes no turn exactly
+WHOLE = 1e-5  # radians: an arc this near to a full turn is one; in six digits a turn is more than it is
 
 
 @declared
@@ -28,7 +28,7 @@ class Arc(Trajectory):
     """
 
     radius: float = length(1.0, "Distance from the axis")
-    angle: float = angle(pi, "How far it turns; a full turn is closed", above=0.0, maximum=tau)
+    angle: float = angle(pi, "How far it turns; a full turn is closed", above=0.0, maximum=tau + WHOLE)
 
     @property
     def closed(self):
