@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The version of this program, from the one place where it is written: the extension's manifest."""
 
-import tomllib
 from importlib import metadata
 from pathlib import Path
 
@@ -12,5 +11,7 @@ MANIFEST = Path(__file__).parents[2] / "blender_manifest.toml"
 def version():
     """The version, as ``0.1.0``: of the extension or checkout, or of the installed package that was made from it."""
     if MANIFEST.is_file():
+        import tomllib
+
         return tomllib.loads(MANIFEST.read_text(encoding="utf-8"))["version"]
     return metadata.version("sweep-addon")

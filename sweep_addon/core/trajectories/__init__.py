@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Trajectories: the curves along which a generator moves."""
 
+from importlib import import_module
+
 from .arc import Arc
 from .bezier import Bezier
 from .formula import Closing, Formula
-from .gpx import from_gpx
 from .helix import Helix
 from .line import Line
 from .nurbs import Nurbs
 from .polyline import Polyline
 from .sampled import Sampled
-from .table import from_csv
 from .torus_knot import TorusKnot
 
 Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs | Sampled | Formula
@@ -35,3 +35,13 @@ __all__ = [
 
 def __dir__():
     return __all__  # what a console offers
+
+
+LATER = {"from_csv": ".table", "from_gpx": ".gpx"}
+
+
+def __getattr__(name):
+    # Readers of files are loaded when they are asked for: most sweeps need neither.
+    if name not in LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(LATER[name], __package__), name)
