@@ -132,7 +132,7 @@ VALUES = {  # refused when it is made
     "angle: must be more than 0, got 0": (Arc, 1.0, 0),
     "angle: must be a number of radians, got '90 deg'": (Arc, 1.0, "90 deg"),
     "end: must be a number of metres, got '1 m'": (Line, (0, 0, 0), (0, 0, "1 m")),
-    "angle: must be at most 6.28319, got 6.2832": (Arc, 1.0, 6.2832),
+    "angle: must be at most 6.28321, got 6.284": (Arc, 1.0, 6.284),
     "turns: must be at most 10000, got 1e+09": (Helix, 1.0, 0.5, 1e9),
     "pitch: must be at least 1e-06 in size, or a whole turn lies on itself, got 0": (Helix, 1.0, 0.0, 1.0),
     "q: must share no factor with p, which is 2, got 4": (TorusKnot, 2, 4),

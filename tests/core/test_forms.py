@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A shape survives being written as a job or as Python, and text that is no job is refused in one sentence."""
 
+import pickle
 import runpy
 import tomllib
+from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
@@ -140,3 +142,13 @@ def test_any_text_is_a_shape_or_refused(text):
         load(SHAPES, text)
     except ShapeError as refusal:
         assert "\n" not in str(refusal)
+
+
+def test_a_value_never_changes():
+    circle = sw.contours.Circle(2.0)
+    for change in (lambda: setattr(circle, "radius", 1.0), lambda: setattr(circle, "colour", 1)):
+        with pytest.raises(FrozenInstanceError):
+            change()
+    with pytest.raises(FrozenInstanceError):
+        del circle.radius
+    assert circle == replace(circle) == pickle.loads(pickle.dumps(circle)) and circle.radius == 2.0

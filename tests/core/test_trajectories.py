@@ -209,7 +209,7 @@ def test_tangents_where_the_speed_vanishes_are_their_limits():
 
 def test_a_turn_in_six_digits_is_a_full_turn():
     """The number that the docs and a refusal print, and what single precision makes of a turn."""
-    for angle in (6.28319, float(np.float32(2 * np.pi)), 6.283185):
+    for angle in (6.28319, 6.2832, float(np.float32(2 * np.pi)), 6.283185):
         assert Arc(angle=angle).closed and Arc(angle=angle).length() == Arc(angle=2 * np.pi).length()
     assert not Arc(angle=6.2831).closed
     with pytest.raises(ShapeError, match="^angle: must be at most 6.28"):

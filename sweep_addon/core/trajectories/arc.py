@@ -9,7 +9,7 @@ import numpy as np
 from ..parameters import angle, declared, length
 from .curve import Trajectory
 
-WHOLE = 1e-5  # radians: an arc this near to a full turn is one; in six digits a turn is more than it is
+WHOLE = 2e-5  # radians: an arc this near to a full turn is one, as 6.2832 is meant to be
 
 
 @declared
