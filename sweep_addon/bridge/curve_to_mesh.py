@@ -20,13 +20,15 @@ from .rna import decimal
 from .tube import Tube, enabled, first_twist, frame, require_cyclic, require_on_splines, shape
 
 NODE, OBJECT = "GeometryNodeCurveToMesh", "GeometryNodeObjectInfo"
+MOST_NODES = 200  # a larger tree does more than draw a tube, and is not searched on every redraw
 SAME = 1e-5  # of a matrix in single precision
 
 
 def modifier_of(ob):
     """The last modifier of an object that has a Curve to Mesh node; None where there is none."""
     trees = (m for m in reversed(enabled(ob) if ob else []) if m.type == "NODES" and m.node_group)
-    return next((m for m in trees if any(node.bl_idname == NODE for node in m.node_group.nodes)), None)
+    small = (m for m in trees if len(m.node_group.nodes) <= MOST_NODES)
+    return next((m for m in small if any(node.bl_idname == NODE for node in m.node_group.nodes)), None)
 
 
 def tube(ob):

@@ -16,6 +16,8 @@ import bmesh
 from mathutils import Matrix, Vector
 from scenes import add, curve, parameters_of, places, select, square
 
+from sweep_addon.bridge import curve_to_mesh
+
 NEAR = 1e-3
 BENT = np.reshape([[-3, -1, 0, -2, 0, 0, -1, 1, 0], [0, 1, 1, 1, 0, 1, 2, -1, 1], [2, 1, 3, 3, 2, 3, 4, 3, 3]], (3, 9))
 THIRDS = [Matrix.Rotation(2 * np.pi * i / 3, 3, "Z") for i in range(3)]
@@ -93,10 +95,10 @@ def test_round_bevel(scene, kind, cyclic, resolution):
     assert parameters_of(sweep).contour_circle_radius == pytest.approx(0.2)
 
 
-def test_polyline_keeps_its_corners(scene):
-    """Straight, where a mitre is none: Blender thins a bevel at corners."""
+def test_a_straight_polyline_needs_no_ring_between_its_ends(scene):
+    """Where it bends no two tubes would be alike: Blender thins a bevel at corners, and a mitre does not."""
     sweep = alike(path([(0, 0, 0), (1, 2, 0), (2, 4, 0)], "POLY"))
-    assert sweep.data.sweep.rings == 2 + 1 or sweep.data.sweep.rings == 2
+    assert sweep.data.sweep.rings == 2
 
 
 def test_the_curve_is_the_live_path_and_draws_nothing(scene):
@@ -421,3 +423,13 @@ def test_nodes_that_no_sweep_is_are_refused(scene, spoil, refusal):
     with pytest.raises(RuntimeError, match=f"{ob.name}: {refusal}"):
         bpy.ops.object.sweep_convert()
     assert nodes.modifier.show_viewport
+
+
+def test_a_tree_of_very_many_nodes_is_not_searched(scene):
+    """The sidebar asks on every redraw."""
+    ob = bare()
+    nodes = Nodes(ob, circle)
+    assert curve_to_mesh.modifier_of(ob) == nodes.modifier
+    for _ in range(curve_to_mesh.MOST_NODES):
+        nodes.add("NodeReroute")
+    assert curve_to_mesh.modifier_of(ob) is None

@@ -11,6 +11,7 @@ import timeit
 import bpy
 import numpy as np
 from _window import PICTURES, run
+from mathutils import Vector
 
 FRAME, SHOW = (0.1, 360), (0.45, 432)  # read off a picture
 
@@ -43,6 +44,9 @@ def frames(person):
     bpy.ops.ed.undo_push(message="a helix")
     with bpy.context.temp_override(window=person.window, area=person.area, region=person.view):
         bpy.ops.view3d.view_selected()
+    view = person.area.spaces.active.region_3d
+    view.view_distance *= 1.35
+    view.view_location += view.view_rotation @ Vector((0.7, 0, 0))  # away from under the sidebar
     yield from person.open_sidebar("Sweep")
     yield from person.click(*person.top(*FRAME))
     none = yield from colours(person, "f1-off")
