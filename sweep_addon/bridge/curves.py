@@ -188,11 +188,10 @@ def carry(points, trajectory):
 def through(trajectory):
     """A chain of cubics through stations of a trajectory, with its tangents: a step of 1/8 radian, fourth order."""
     stations = place(trajectory, Tolerance(trajectory.length() / 1000))
-    onward, here = stations.onward, np.arange(len(stations.onward))
-    step = np.diff(np.append(stations.s, stations.total))[: len(onward), None] / 3
-    out = stations.points[here] + step * stations.leave[here]
+    starts, onward, step = stations.starts, stations.onward, stations.lengths[:, None] / 3
+    out = stations.points[starts] + step * stations.leave[starts]
     back = stations.points[onward] - step * stations.arrive[onward]
-    chain = np.stack((stations.points[here], out, back), axis=1).reshape(-1, 3)
+    chain = np.stack((stations.points[starts], out, back), axis=1).reshape(-1, 3)
     chain = chain if stations.closed else np.concatenate((chain, stations.points[-1:]))
     own = trajectory.carried(stations.u) if trajectory.carries else ()
     return Bezier(chain, stations.closed, *own)

@@ -14,10 +14,12 @@ from .ends import Taper
 from .frames import turn
 from .laws import Constant, Law
 from .parameters import LARGEST, ShapeError, at, require
+from .search import highest
 from .trajectories.arc_length import arc_length
 
 NOTHING = 1e-7  # of the largest scale: single precision cannot tell a contour this small from a point
 NEARLY = 0.01  # of the largest scale: between places so close a law that is not steep comes to zero
+SHARPLY = 68  # narrowings: 1e-14 of an interval is left
 SEARCHED = 4097  # places along the trajectory where a change of sign is looked for
 LAWS = ("scale_x", "scale_y", "twist", "offset_x", "offset_y")
 
@@ -149,13 +151,10 @@ class Along:
         size = np.abs(scale)
         least = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & (size[1:-1] < NEARLY * size.max())
         least &= scale[:-2] * scale[2:] > 0
-        low, high = s[:-2][least], s[2:][least]
-        for _ in range(80 if len(low) else 0):  # thirds of each interval: 1e-14 of it is left
-            third = (high - low) / 3
-            rising = np.abs(self.at(low + third)[0]) < np.abs(self.at(high - third)[0])
-            low, high = np.where(rising, low, low + third), np.where(rising, high - third, high)
-        middle = (low + high) / 2
-        return middle[np.abs(self.at(middle)[0]) <= NOTHING * size.max()] if len(low) else middle
+        if not least.any():
+            return s[:0]
+        place, most = highest(lambda s: -np.abs(self.at(s)[0]), s[:-2][least], s[2:][least], SHARPLY)
+        return place[most >= -NOTHING * size.max()]
 
     def density(self, reach):
         """Steps per metre that laws and frame ask for, as a function of arc length, parameter and chord tolerance.

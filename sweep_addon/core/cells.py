@@ -4,15 +4,15 @@
 
 import numpy as np
 
+from .search import GOLDEN
 from .trajectories.arc_length import arc_length, subdivided
-from .vectors import norms
+from .vectors import dot, norms
 
 WIDEST_TURN = np.radians(30)  # a twist in one step; more looks broken at any tolerance
 WIDEST_BEND = np.radians(60)  # a bend in one step, so that a circle is a hexagon at least
 CELLS = 2048  # at least, in which the curvature is looked at
 PARTS = (1, 3, 9, 27, 81)  # into which a cell is cut, until a law is seen that changes often
 SPARSE = 3  # cells for one place that shows whether they see a law
-GOLDEN = (5**0.5 - 1) / 2  # its multiples, whole numbers left out, are in time with nothing
 SEEN, FEW = 0.1, 4.0  # a law is seen where those ask for no more steps than so, as a part or in all, more or less
 RESERVE = 0.98  # of the tolerance, for what the curvature changes within a step
 NOISE = 64 * np.finfo(float).eps  # of the largest derivative: the rounding of any
@@ -26,7 +26,7 @@ def cells(trajectory, chord, extra):
     a cusp, by no more than half a turn.
     """
     measure = arc_length(trajectory)
-    u = subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
+    u = cut(measure)
     width = measure.measure(u[:-1], u[1:])
     kept = width > ROUNDING * measure.total  # a trajectory may stand still
     width, u = width[kept], np.stack((u[:-1], u[1:]))[:, kept]
@@ -36,6 +36,11 @@ def cells(trajectory, chord, extra):
     turn = np.minimum(np.maximum(*turns), np.maximum(np.minimum(*turns), np.pi))
     steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_BEND)
     return (grid, steps) if extra is None else refined(grid, u, steps, extra, RESERVE * chord)
+
+
+def cut(measure):
+    """Parameters that cut a trajectory into `CELLS` or more, each within one piece of it: (k + 1,)."""
+    return subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
 
 
 def refined(grid, u, steps, extra, chord):
@@ -65,7 +70,10 @@ def refined(grid, u, steps, extra, chord):
 
 
 def aside(s, u):
-    """Fewer places, spaced unevenly: an even spacing can be in time with a law that repeats itself."""
+    """Fewer places, spaced unevenly: an even spacing can be in time with a law that repeats itself.
+
+    Multiples of the golden section, whole numbers left out, are in time with nothing.
+    """
     first = np.arange(0, len(s) - 1, SPARSE)
     part = first * GOLDEN % 1
     return (np.append(x[first] + part * (x[first + 1] - x[first]), x[-1]) for x in (s, u))
@@ -84,9 +92,9 @@ def bend(trajectory, u, before=False):
     p'' across: what is no more than that is no bend.
     """
     first, second = trajectory.derivative(u, 1, before), trajectory.derivative(u, 2, before)
-    squared = np.einsum("ij,ij->i", first, first)[:, None]
+    squared = dot(first, first)[:, None]
     squared = np.where(squared > 0, squared, np.inf)
-    across = second - np.einsum("ij,ij->i", first, second)[:, None] / squared * first
+    across = second - dot(first, second)[:, None] / squared * first
     noise = NOISE * np.abs(first).max(initial=0.0) * norms(second) / np.sqrt(squared[:, 0])
     across[norms(across) <= noise] = 0.0
     return across / squared

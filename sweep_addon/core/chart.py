@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
 
-import zlib
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 
+from .digest import checksum
 from .grid import Grid
-from .runs import run_of
+from .runs import backward, run_of
 
 
 class Texture(Enum):
@@ -52,7 +52,7 @@ class Chart:
     @property
     def keys(self):
         """Three short texts that differ where the texture, and attributes along and across, do; empty for none."""
-        along, across = short_text(self.u, self.s), short_text(self.around, *self.ends)
+        along, across = checksum(self.u, self.s), checksum(self.around, *self.ends)
         texture = "" if self.texture is Texture.NONE else self.texture.name + along + across
         return (texture, along, across) if self.named else (texture, "", "")
 
@@ -130,8 +130,7 @@ class Chart:
             flat = section - section.min(axis=0)
             flat = flat if lengths else flat / flat.max()
             if end == 0:
-                face = run_of(offsets)
-                points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
+                points = points[backward(offsets)]
                 flat = flat * (-1, 1) + (before, 0)
             else:
                 flat = flat + (after, 0)
@@ -156,11 +155,6 @@ class Chart:
         start, _ = self.columns()
         v = np.repeat(start.astype(dtype), len(self.grid.whole))
         return {"v": np.concatenate((v, np.zeros(len(self.grid.tips), dtype)))}
-
-
-def short_text(*arrays):
-    """A few digits that differ where arrays differ."""
-    return "".join(f"{zlib.crc32(np.ascontiguousarray(array).data):08x}" for array in arrays)
 
 
 def lengths_around(section, scale):

@@ -10,6 +10,7 @@ from .cells import WIDEST_TURN
 from .ends import Round
 from .parameters import at, require
 from .sampling import MOST_STATIONS, Tolerance
+from .vectors import dot
 
 SEEN = 1e-9  # of the contour's size squared: what the centroid must see of every edge
 
@@ -110,7 +111,7 @@ def half_breadth(section):
     """
     sides = section.points - section.centroid
     edges = sides[section.following] - sides
-    foot = -np.einsum("ij,ij->i", sides, edges) / section.edge_lengths**2
+    foot = -dot(sides, edges) / section.edge_lengths**2
     turns = np.where(section.sharp, 0.0, section.turns.clip(0.0))
     turns = np.minimum(turns, turns[section.following])
     nearest = np.linalg.norm(sides + foot[:, None] * edges, axis=1) / np.cos(turns / 2)

@@ -9,8 +9,8 @@ from .contours.fit import Fit
 from .frames import axes
 from .parameters import require, spelled
 from .sampling import stations as stations_at
-from .vectors import norms, unit
-from .volume_true import STEEPEST, ahead, handed, lengths, require_short, spun, to_both
+from .steps import STEEPEST, ahead, directions, handed, require_short, spun, to_both
+from .vectors import dot, norms
 
 RESERVE = 1.05  # a chord is farthest from its curve near the middle of the step, where it is measured
 
@@ -53,15 +53,15 @@ def enclosing(stations, rings, true, section, scales, turn):
     A curve is taken to be farthest from its chord near the middle, so no contour should turn by more than 30 degrees
     from one ring to the next.
     """
-    count, turn = len(stations.onward), turn * handed(stations, rings[1:])
-    middle = (rings[:, :count] + later(stations, rings, turn)) / 2
+    starts, turn = stations.starts, turn * handed(stations, rings[1:])
+    middle = (rings[:, starts] + later(stations, rings, turn)) / 2
     true[1] *= np.sign(np.einsum("ij,ij->", true[1], middle[1]))  # the section may be seen in a mirror
-    pointed = (scales[:count] == 0) | (scales[stations.onward] == 0)
+    pointed = (scales[starts] == 0) | (scales[stations.onward] == 0)
     moved = rings + halves(stations, np.where(pointed[:, None], 0.0, true - middle), turn)
 
     points = np.column_stack((np.ones(len(section.points)), section.points))
     after = later(stations, moved, turn)
-    step, middle = after - moved[:, :count], (moved[:, :count] + after) / 2
+    step, middle = after - moved[:, starts], (moved[:, starts] + after) / 2
     columns, legs = summed(points, step), directions(stations)
     chord = farthest(summed(points, true - middle), columns, legs)
     fold = farthest(summed(points[section.following] - points, step), columns, legs) / 4
@@ -76,7 +76,7 @@ def enclosing(stations, rings, true, section, scales, turn):
 def halfway(stations, frame, along, symmetry):
     """The place and the axes, scaled, of the true contour in the middle of each step: (3, n - 1, 3) or (3, n, 3)."""
     count = len(stations.onward)
-    s = np.insert(stations.s, np.arange(1, count + 1), stations.s[:count] + lengths(stations) / 2)
+    s = np.insert(stations.s, np.arange(1, count + 1), stations.s[:count] + stations.lengths / 2)
     between = stations_at(stations.trajectory, s)
     scale_x, scale_y, twist, *offset = (law[:, None] for law in along.at(s, between.u))
     e2, e3, _ = axes(frame, between, twist[:, 0], symmetry)
@@ -102,11 +102,6 @@ def halves(stations, short, turn):
     return move - np.einsum("aij,ij->ai", move, stations.tangent)[..., None] * stations.tangent
 
 
-def directions(stations):
-    """Unit vectors along the steps: (n - 1, 3) or (n, 3)."""
-    return unit(stations.points[stations.onward] - stations.points[: len(stations.onward)])
-
-
 def summed(weights, vectors):
     """The sums of vectors (3, n, 3) with each of the weights (m, 3): (m, n, 3)."""
     return (weights @ vectors.reshape(3, -1)).reshape(len(weights), -1, 3)
@@ -129,13 +124,13 @@ def out(section):
     normals = (section.points[section.following] - section.points)[:, ::-1] * (1, -1) / section.edge_lengths[:, None]
     double = normals.copy()
     double[section.following] += normals
-    return 2 * double / np.einsum("ij,ij->i", double, double)[:, None]
+    return 2 * double / dot(double, double)[:, None]
 
 
 def require_room(section, vectors, clearance):
     """Refuse a contour whose holes close or whose edges meet when they move out."""
     moved = section.points + clearance * vectors
     before, after = (points[section.following] - points for points in (section.points, moved))
-    room = (np.einsum("ij,ij->i", before, after) > 0).all() and not len(crossings(moved, section.following))
+    room = (dot(before, after) > 0).all() and not len(crossings(moved, section.following))
     sentence = f"must not be circumscribed where a hole or a gap has no room for clearances of {clearance:.3g}"
     require(room, f"{sentence}, or samples must be finer", spelled(Fit.CIRCUMSCRIBED), "fit")

@@ -284,7 +284,7 @@ def fill(stations, angles, known, holonomy, half=False):
 
 def flipping(angles, stations, holonomy):
     """Where the angle jumps by more than a quarter turn from one station to the next: (n - 1,) or (n,) bool."""
-    step = angles[stations.onward] - angles[: len(stations.onward)]
+    step = stations.steps(angles)
     if stations.closed:
         step[-1] -= holonomy
     return np.abs(wrapped(step)) > tau / 4

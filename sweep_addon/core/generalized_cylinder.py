@@ -22,9 +22,10 @@ from .laws import Law
 from .mesh import Mesh
 from .parameters import angle, at, declared, parameter, require
 from .sampling import Count, Sampling, Tolerance, place
+from .steps import mitred
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
-from .vectors import unit
+from .vectors import dot
 from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
@@ -237,14 +238,16 @@ def stand(samples, along, reach):
 
 def creases(stations, before):
     """The rings where a mitre turns so much that it is an edge; some stand before the first station."""
-    turn = np.einsum("ij,ij->i", stations.arrive[stations.corners], stations.leave[stations.corners])
+    turn = dot(stations.arrive[stations.corners], stations.leave[stations.corners])
     return tuple((before + stations.corners[turn < CREASE]).tolist())
 
 
 def placed(stations, aside, x, y):
     """The middle of each contour and its axes as they are drawn, mitred at the corners: (3, n, 3)."""
     rings = np.stack((aside, x, y))
-    rings[:, stations.corners] = mitred(stations, rings[:, stations.corners])
+    corners = stations.corners
+    if len(corners):
+        rings[:, corners] = mitred(rings[:, corners], stations.arrive[corners], stations.leave[corners])
     rings[0] += stations.points
     return rings
 
@@ -263,9 +266,8 @@ def running_backward(stations, rings, centroid, moved):
     if not moved and np.linalg.norm(centroid) * np.abs(rings[1:]).max() <= ROUNDING * stations.total:
         return False, ()
     middles = rings[0] + centroid[0] * rings[1] + centroid[1] * rings[2]
-    ahead, here = stations.onward, slice(len(stations.onward))
-    steps = middles[ahead] - middles[here]
-    back = np.einsum("ij,ij->i", steps, stations.leave[here] + stations.arrive[ahead]) < 0
+    forward = stations.leave[stations.starts] + stations.arrive[stations.onward]
+    back = dot(stations.steps(middles), forward) < 0
     if not back.any() or back.all():
         return bool(back.all()), ()
     place = stations.u[np.argmax(back)]
@@ -279,17 +281,6 @@ def mirror(section):
     """The section seen in a mirror along y, its area on the left again."""
     flipped = replace(section, points=section.points * (-1, 1))
     return flipped.reversed(np.full(len(section.offsets) - 1, True))
-
-
-def mitred(stations, axes):
-    """Axes (2, k, 3) at the corners, stretched by 1 / cos(half the turn) in the plane of the turn.
-
-    So the ring lies in the bisector plane and both legs keep their cross-section.
-    """
-    arrive, leave, tangent = (part[stations.corners] for part in (stations.arrive, stations.leave, stations.tangent))
-    stretch = 1 / np.einsum("ij,ij->i", tangent, leave) - 1
-    across = unit(leave - arrive)
-    return axes + (stretch * np.einsum("aij,ij->ai", axes, across))[..., None] * across
 
 
 def drawn(rings, section, tips, dtype):

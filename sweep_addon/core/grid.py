@@ -15,7 +15,7 @@ import numpy as np
 
 from .kept import kept
 from .mesh import Topology
-from .runs import following, run_of
+from .runs import backward, following
 
 SIDE, CAP = 0, 1  # material slots
 
@@ -236,20 +236,18 @@ def side_material(grid):
 def cap_faces(grid, stride, position):
     """The faces at the ends, and the edges inside them."""
     faces, inner = [], [np.empty((0, 2), np.int32)]
-    following, bands, rings = grid.following, len(grid.bands()[0]), len(grid.whole)
+    along, bands, rings = grid.following, len(grid.bands()[0]), len(grid.whole)
     first_inner = grid.columns * (bands + rings)
     for cap, station, turn in zip(grid.caps, (0, grid.rings - 1), (-1, 1), strict=True):
         if cap is None:
             continue
         points, offsets = (np.array(part) for part in cap)
-        face = run_of(offsets)
         if turn < 0:  # the same faces seen from the other side
-            points = points[offsets[face] + offsets[face + 1] - 1 - np.arange(len(points))]
-        last = np.arange(len(points)) == offsets[face + 1] - 1
-        ahead = points[np.where(last, offsets[face], np.arange(1, len(points) + 1))]
+            points = points[backward(offsets)]
+        ahead = points[following(offsets)]
         rim = grid.columns * bands + (0 if station == 0 else rings - 1)
-        used = rim + rings * np.where(following[points] == ahead, points, ahead)
-        crossing = (following[points] != ahead) & (following[ahead] != points)
+        used = rim + rings * np.where(along[points] == ahead, points, ahead)
+        crossing = (along[points] != ahead) & (along[ahead] != points)
         ends = np.sort(np.stack((points, ahead), axis=1)[crossing], axis=1)
         unique, which = np.unique(ends, axis=0, return_inverse=True)
         used[crossing] = first_inner + sum(map(len, inner)) + which.ravel()

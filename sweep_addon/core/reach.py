@@ -12,15 +12,15 @@ from functools import lru_cache
 
 import numpy as np
 
-from .cells import bend
+from .cells import bend, cut
 from .parameters import ShapeError, require
-from .trajectories.arc_length import arc_length, subdivided
+from .search import highest
+from .trajectories.arc_length import arc_length
 from .trajectories.curve import Trajectory
-from .vectors import norms
+from .vectors import dot, norms
 
-CELLS = 2048  # at least: two in each of the shortest arcs
 COARSE = 64  # arcs at the root of the tree, at least
-GOLDEN, NARROWINGS, PEAKS = (np.sqrt(5) - 1) / 2, 44, 32
+PEAKS = 32  # cells in which the highest is looked for
 ITERATIONS, SETTLED = 24, 1e-12  # a step of so little of the domain is the last
 FIRST = 64  # pairs whose distance is found first: it rules out most others
 FLAT = 1e-6  # of the larger eigenvalue: along a family of pairs, as a helix has, there is nowhere to go
@@ -101,21 +101,6 @@ def most_bent(trajectory):
     return Reach(1 / float(most[top]), (float(u[top]),))
 
 
-def highest(function, low, high):
-    """Where a function is highest between pairs of ends, by golden sections of all of them at once, and how high."""
-    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_left, at_right = function(left), function(right)
-    for _ in range(NARROWINGS):
-        rises = at_left < at_right
-        low, high = np.where(rises, left, low), np.where(rises, high, right)
-        kept, at_kept = np.where(rises, right, left), np.where(rises, at_right, at_left)
-        new = np.where(rises, low + GOLDEN * (high - low), high - GOLDEN * (high - low))
-        at_new = function(new)
-        left, right = np.where(rises, kept, new), np.where(rises, new, kept)
-        at_left, at_right = np.where(rises, at_kept, at_new), np.where(rises, at_new, at_kept)
-    return (low + high) / 2, np.maximum(at_left, at_right)
-
-
 @dataclass(frozen=True, eq=False)
 class Arcs:
     """A trajectory in arcs: what is known of all points of each from its middle."""
@@ -131,7 +116,7 @@ class Arcs:
 def tree(trajectory):
     """The arcs of a trajectory, from few long ones to many short ones, each of which is half of one before."""
     measure = arc_length(trajectory)
-    u = subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
+    u = cut(measure)
     widths = measure.measure(u[:-1], u[1:])
     curvature = norms(bend(trajectory, u))
     s, turned = (
@@ -225,10 +210,6 @@ def newton(trajectory, x, y):
     a = dot(at_x, at_x) + dot(chord, trajectory.derivative(x, 2))
     c = dot(at_y, at_y) - dot(chord, trajectory.derivative(y, 2))
     return -solved(a, -dot(at_x, at_y), c, np.stack((dot(chord, at_x), -dot(chord, at_y))))
-
-
-def dot(a, b):
-    return np.einsum("ij,ij->i", a, b)
 
 
 def solved(a, b, c, right):

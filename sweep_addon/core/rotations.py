@@ -6,7 +6,7 @@ from math import tau
 
 import numpy as np
 
-from .vectors import unit
+from .vectors import dot, unit
 
 
 def any_normal(tangents):
@@ -17,8 +17,8 @@ def any_normal(tangents):
 
 def reflect(vectors, normals):
     """Mirror each vector in the plane across its normal; a zero normal mirrors nothing."""
-    squared = np.einsum("ij,ij->i", normals, normals)
-    factor = 2 * np.einsum("ij,ij->i", vectors, normals) / np.where(squared, squared, 1.0)
+    squared = dot(normals, normals)
+    factor = 2 * dot(vectors, normals) / np.where(squared, squared, 1.0)
     return vectors - factor[:, None] * normals
 
 
@@ -29,8 +29,8 @@ def turned(vectors, start, end):
 
 def signed_angle(start, end, axis):
     """The angle that turns each start onto the projection of its end, about a unit axis."""
-    sine = np.einsum("ij,ij->i", np.cross(axis, start), end)
-    return np.arctan2(sine, np.einsum("ij,ij->i", start, end))
+    sine = dot(np.cross(axis, start), end)
+    return np.arctan2(sine, dot(start, end))
 
 
 def rotated(normals, axis, angle):

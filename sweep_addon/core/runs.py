@@ -30,3 +30,15 @@ def run_of(offsets):
     [0, 0, 0, 1, 1]
     """
     return np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+
+
+def backward(offsets):
+    """(m,) int array: the indices that run through each run from its last item to its first.
+
+    Examples
+    --------
+    >>> backward(np.array([0, 3, 5])).tolist()
+    [2, 1, 0, 4, 3]
+    """
+    run = run_of(offsets)
+    return offsets[run] + offsets[run + 1] - 1 - np.arange(offsets[-1])

@@ -11,7 +11,7 @@ from .cells import bend, cells
 from .parameters import ShapeError, count, declared, length, parameter, require
 from .trajectories.arc_length import arc_length
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
-from .vectors import norms, unit
+from .vectors import dot, norms, unit
 
 __all__ = ["Count", "Sampling", "Tolerance"]
 
@@ -133,11 +133,25 @@ class Stations:
         tangent[self.corners] = unit(self.arrive[self.corners] + self.leave[self.corners])
         return tangent
 
-    @property
+    @cached_property
     def onward(self):
         """Index of the station each step leads to: (n - 1,), or (n,) for a closed trajectory."""
         following = np.arange(1, len(self.u) + 1)
         return np.append(following[:-1], 0) if self.closed else following[:-1]
+
+    @property
+    def starts(self):
+        """The stations that steps start from, as a slice."""
+        return slice(len(self.onward))
+
+    @cached_property
+    def lengths(self):
+        """The arc length of each step: (n - 1,), or (n,) for a closed trajectory."""
+        return np.diff(np.append(self.s, self.total) if self.closed else self.s)
+
+    def steps(self, values):
+        """By how much values (n, ...) at the stations change in each step."""
+        return values[self.onward] - values[self.starts]
 
 
 def place(trajectory, sampling, marks=(), extra=None):
@@ -257,7 +271,7 @@ def stations(trajectory, s):
     bends = bend(trajectory, u)
     turn = leave - arrive
     corner = norms(turn) > SAME_DIRECTION
-    back = np.einsum("ij,ij->i", arrive, leave) < SHARPEST
+    back = dot(arrive, leave) < SHARPEST
     if back.any():
         raise ShapeError(f"must not turn back on itself, got a reversal at u = {u[np.argmax(back)]:.6g}", "trajectory")
     # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature

@@ -18,7 +18,7 @@ import numpy as np
 
 from .rotations import any_normal, rotated, signed_angle, turned
 from .trajectories.arc_length import arc_length, subdivided
-from .vectors import unit
+from .vectors import dot, unit
 
 ORDER = 13  # nodes in a panel; odd, so that one is in the middle
 ANGLES = (np.arange(ORDER) + 0.5) * np.pi / ORDER
@@ -95,7 +95,7 @@ def integrals(trajectory, start, end):
     u = ((start + end) / 2 + half * NODES[:, None]).ravel()
     first, second = trajectory.derivative(u), trajectory.derivative(u, 2)
     tangent = unit(first)
-    squared = np.einsum("ij,ij->i", first, first)
+    squared = dot(first, first)
     turn = np.cross(first, second) / np.where(squared > 0, squared, np.inf)[:, None]
     tangent, turn = (part.reshape(ORDER, -1, 3) for part in (tangent, turn))
     middle, binormal = tangent[ORDER // 2], turn[ORDER // 2]  # a plane bend does not turn against its binormal

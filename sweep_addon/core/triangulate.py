@@ -6,6 +6,7 @@ import numpy as np
 
 from .boundary import Boundary
 from .contours.ranges import ranges
+from .vectors import dot
 
 FLAT = 1e-7  # of its longest side: a triangle of less height is none in Blender's single precision
 FEW = 32  # where a round cuts less than this part of the nodes, dividing what is left is quicker
@@ -67,7 +68,7 @@ def ears(boundary):
     nodes = np.flatnonzero(boundary.left)
     corners = boundary.point[np.stack([boundary.before[nodes], nodes, boundary.after[nodes]], axis=1)]
     a, b, c = boundary.points[corners].swapaxes(0, 1)
-    height, side = heights(a, c, b), np.einsum("ij,ij->i", c - a, c - a)
+    height, side = heights(a, c, b), dot(c - a, c - a)
     for flat in (FLAT, 0.0):
         convex = -height > flat
         blocking = np.unique(corners[~convex, 1])
@@ -82,7 +83,7 @@ def ears(boundary):
 def heights(a, b, places):
     """(n,) float array: how far places lie to the left of the lines from a to b, as a part of the longest side."""
     u, v = b - a, places - a
-    longest = np.maximum(np.einsum("ij,ij->i", u, u), np.einsum("ij,ij->i", v, v))
+    longest = np.maximum(dot(u, u), dot(v, v))
     return (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / np.where(longest, longest, 1)
 
 

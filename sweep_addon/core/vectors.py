@@ -5,6 +5,11 @@
 import numpy as np
 
 
+def dot(a, b):
+    """The products of vectors with one another, (..., k) twice to (...)."""
+    return np.einsum("...i,...i->...", a, b)
+
+
 def norms(vectors):
     """The lengths of vectors, (..., 3) to (...), in a quarter of the time that `numpy.linalg.norm` takes."""
     return np.sqrt(np.einsum("...i,...i->...", vectors, vectors))

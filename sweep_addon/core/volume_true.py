@@ -5,12 +5,11 @@
 import numpy as np
 
 from .contours.fit import Fit
-from .parameters import require, spelled
 from .rotations import turned
-from .vectors import norms, unit
+from .steps import ahead, handed, mitred, require_short, to_both
+from .vectors import dot, norms, unit
 
 FARTHEST = 3.0  # rises of the chords: a station moves no farther, for at an inflection it turns by nothing
-STEEPEST = np.cos(np.radians(75))  # between a chord and the curve: a mitre is four times as long as the contour
 
 
 def volume_true(stations, rings, along, centroid, turn):
@@ -54,7 +53,9 @@ def volume_true(stations, rings, along, centroid, turn):
     aside, x, y = rings
     places = stations.points + outward(stations, aside + centroid[0] * x + centroid[1] * y)
     before, after = chords(stations, places)
-    rings = mitred(rings, stations.tangent, before, after)
+    bisectors = unit(before + after)
+    rings = np.stack([turned(part, stations.tangent, bisectors) for part in rings])
+    rings = mitred(rings, before, after)
     rings[1:] *= np.sqrt(growth(stations, places, rings[1:], along, turn))
     rings[0] += places
     return rings
@@ -65,11 +66,11 @@ def chords(stations, places):
 
     An end is a mitre of its leg with the mirror image of that behind the plane of the end.
     """
-    legs = unit(places[stations.onward] - places[: len(stations.onward)])
+    legs = unit(stations.steps(places))
     if stations.closed:
         return np.roll(legs, 1, axis=0), legs
     ends, tangents = legs[[0, -1]], stations.tangent[[0, -1]]
-    mirrored = 2 * np.einsum("ij,ij->i", ends, tangents)[:, None] * tangents - ends
+    mirrored = 2 * dot(ends, tangents)[:, None] * tangents - ends
     return np.concatenate((mirrored[:1], legs)), np.concatenate((legs, mirrored[1:]))
 
 
@@ -83,7 +84,7 @@ def outward(stations, centres):
     share, most = lacking(stations, before, after)
     # A mitre shortens legs by the tangent of half its turn times how far inside the centroid is, an arc by the angle.
     half = np.arcsin(sine / 2)
-    inside = -np.einsum("ij,ij->i", centres, away) * 2 * (np.tan(half) - half)
+    inside = -dot(centres, away) * 2 * (np.tan(half) - half)
     inside[stations.corners] = 0.0
     move = np.divide(share + inside, sine, out=np.zeros_like(share), where=sine > 0)
     return np.clip(move, -most, most)[:, None] * away
@@ -94,9 +95,9 @@ def lacking(stations, before, after):
 
     A leg's two stations share its lack as the squares of the angles between its chord and the curve.
     """
-    onward, count, steps = stations.onward, len(stations.onward), lengths(stations)
-    chord = norms(stations.points[onward] - stations.points[:count])
-    start = norms(stations.leave[:count] - after[:count])
+    starts, onward, steps = stations.starts, stations.onward, stations.lengths
+    chord = norms(stations.steps(stations.points))
+    start = norms(stations.leave[starts] - after[starts])
     end = norms(stations.arrive[onward] - before[onward])
     squares = start**2 + end**2
     lack = np.clip(steps - chord, 0.0, squares * steps)  # of a straight leg the difference is rounding
@@ -107,83 +108,17 @@ def lacking(stations, before, after):
     return share, FARTHEST / 4 * to_both(stations, start * steps, end * steps, np.maximum)
 
 
-def lengths(stations):
-    """The arc length from each station to the next, round a closed trajectory: (n - 1,) or (n,)."""
-    return np.diff(np.append(stations.s, stations.total) if stations.closed else stations.s)
-
-
-def require_short(stations, fit):
-    """Refuse steps so long that a chord has another direction than the curve where it leaves it.
-
-    Returns
-    -------
-    (n - 1,) or (n,) float array
-        The cosine of the larger of the two angles between each chord and the curve at its ends.
-    """
-    onward, count = stations.onward, len(stations.onward)
-    legs = unit(stations.points[onward] - stations.points[:count])
-    cosine = [np.einsum("ij,ij->i", legs, end) for end in (stations.leave[:count], stations.arrive[onward])]
-    cosine = np.minimum(*cosine)
-    leg, limit = int(cosine.argmin()), np.degrees(np.arccos(STEEPEST))
-    angle = float(np.degrees(np.arccos(np.clip(cosine[leg], -1, 1))))
-    sentence = f"must be more if the fit is {spelled(fit)}: a chord may leave the trajectory by {limit:.0f} degrees"
-    require(angle <= limit, f"{sentence} at u = {stations.u[leg]:.6g}", round(angle, 1), "samples")
-    return cosine
-
-
-def to_both(stations, starts, ends, join):
-    """What the steps give to the stations at their starts and at their ends, joined: two (k, ...) to (n, ...)."""
-    joined = np.zeros((len(stations.s), *starts.shape[1:]))
-    joined[: len(starts)] = starts
-    joined[stations.onward] = join(joined[stations.onward], ends)
-    return joined
-
-
-def mitred(vectors, tangents, before, after):
-    """Vectors (3, n, 3) across the tangents, turned to lie across the bisectors of legs and stretched where they turn.
-
-    So both legs keep their cross-section.
-    """
-    double = before + after
-    stretch = 2 / norms(double) - 1  # 1 / cos(half the turn)
-    across = unit(after - before)
-    vectors = np.stack([turned(part, tangents, unit(double)) for part in vectors])
-    return vectors + (stretch * np.einsum("aij,ij->ai", vectors, across))[..., None] * across
-
-
-def ahead(stations, axes, turn):
-    """The axes (2, n, 3) at the end of each step: a closed sweep ends with the first, turned."""
-    later = axes[:, stations.onward]
-    if turn:
-        later[:, -1] = spun(axes[:, 0], turn)
-    return later
-
-
-def spun(axes, angle):
-    """Two axes turned towards each other, the first to the second."""
-    x, y = axes
-    return np.stack((np.cos(angle) * x + np.sin(angle) * y, np.cos(angle) * y - np.sin(angle) * x))
-
-
-def handed(stations, axes):
-    """1 where y is left of x, seen against the trajectory, -1 where laws mirror the contour."""
-    return np.sign(np.einsum("ij,ij->", np.cross(*axes), stations.tangent))
-
-
 def growth(stations, places, axes, along, turn):
     """By how much the area of each ring must grow for the mean sections between them to be true: (n, 1)."""
-    onward, count = stations.onward, len(stations.onward)
-    legs = places[onward] - places[:count]
-    (x, y), (x_next, y_next) = axes[:, :count], ahead(stations, axes, handed(stations, axes) * turn)
+    starts, onward, legs = stations.starts, stations.onward, stations.steps(places)
+    (x, y), (x_next, y_next) = axes[:, starts], ahead(stations, axes, handed(stations, axes) * turn)
     mixed = np.cross(x, y_next) + np.cross(x_next, y)
-    first, last = (
-        np.einsum("ij,ij->i", legs, 4 * own + mixed) / 12 for own in (np.cross(x, y), np.cross(x_next, y_next))
-    )
+    first, last = (dot(legs, 4 * own + mixed) / 12 for own in (np.cross(x, y), np.cross(x_next, y_next)))
     area = np.multiply(*along.at(stations.s, stations.u)[:2])
-    middle = area[:count]
+    middle = area[starts]
     if any(along.tapers) or not along.is_constant:
-        middle = np.multiply(*along.at(stations.s[:count] + lengths(stations) / 2)[:2])
-    true = norms(legs) * (area[:count] + 4 * middle + area[onward]) / 6
+        middle = np.multiply(*along.at(stations.s[starts] + stations.lengths / 2)[:2])
+    true = norms(legs) * (area[starts] + 4 * middle + area[onward]) / 6
     held = first + last
     lack = np.divide(true - held, held, out=np.zeros_like(held), where=held != 0)
     share, weight = (to_both(stations, factor * first, factor * last, np.add) for factor in (lack, 1.0))

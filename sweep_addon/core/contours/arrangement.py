@@ -9,6 +9,7 @@ point, by which an edge may come to meet another one; so the splitting is repeat
 import numpy as np
 
 from ..parameters import ShapeError, require
+from ..vectors import dot
 from .crossing import overlapping_boxes
 
 CELLS = 1 << 22  # along the longer side: a cell is below single precision, a product of two lengths below 2**53
@@ -88,12 +89,12 @@ def side(a, b, c):
 
 def strictly_between(a, b, c):
     """Whether c, on the line through a and b, is between them and neither of them."""
-    return np.einsum("ij,ij->i", c - a, c - b) < 0
+    return dot(c - a, c - b) < 0
 
 
 def split(start, end, which, places):
     """Split edges at places: the pieces in order, and the edge that each is of."""
-    along = np.einsum("ij,ij->i", places - start[which], (end - start)[which])
+    along = dot(places - start[which], (end - start)[which])
     edge = np.concatenate([np.arange(len(start)), which])
     order = np.lexsort((np.concatenate([np.zeros(len(start)), along]), edge))
     edge, begin = edge[order], np.concatenate([start, places])[order]

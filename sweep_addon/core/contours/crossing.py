@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..parameters import require
+from ..vectors import dot
 from .orientation import orientation
 from .ranges import IN_CACHE, ranges
 
@@ -68,7 +69,7 @@ def folds(points, following):
     """The pairs of neighbouring edges of which the second runs back along the first."""
     middle, last = points[following], points[following[following]]
     straight = orientation(points, middle, last) == 0
-    back = np.einsum("ij,ij->i", middle - points, last - middle) < 0
+    back = dot(middle - points, last - middle) < 0
     first = np.flatnonzero(straight & back)
     return np.stack([first, following[first]], axis=1)
 

@@ -8,6 +8,7 @@ from enum import Enum
 import numpy as np
 
 from ..parameters import require, spelled
+from ..vectors import dot
 from .crossing import crossings
 
 ROUNDING = 1e-12  # of the size: a lower rise is none
@@ -74,7 +75,7 @@ def moved(section, vectors):
 
 def rises(section, apexes):
     """(m,) float array: how far the curve over each edge rises to its right, in metres; hollows are negative."""
-    rise = np.einsum("ij,ij->i", apexes - section.points, right(section))
+    rise = dot(apexes - section.points, right(section))
     return np.where(np.abs(rise) > ROUNDING * section.size, rise, 0)
 
 

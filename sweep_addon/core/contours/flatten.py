@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..parameters import require
+from ..vectors import dot
 from .loops import MOST_POINTS
 
 STEEPEST = np.radians(7.5)  # between a chord and the curve at its ends: two chords in a row turn by at most twice that
@@ -88,8 +89,8 @@ def steep_chords(control, segment, t, tolerance):
     steep = np.zeros(len(t), dtype=bool)
     for at in (t, end):
         tangent = cubic_tangents(control, segment, at)
-        along = np.einsum("ij,ij->i", chord, tangent)
-        squares = np.einsum("ij,ij->i", chord, chord) * np.einsum("ij,ij->i", tangent, tangent)
+        along = dot(chord, tangent)
+        squares = dot(chord, chord) * dot(tangent, tangent)
         steep |= along < np.cos(STEEPEST) * (1 - ROUNDING) * np.sqrt(squares)
     return steep & (np.linalg.norm(chord, axis=1) > SHORT * tolerance)
 

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..runs import following, run_of
+from ..vectors import dot
 from .loops import joined, require_apart, require_area, without_coincident
 from .nesting import nesting
 from .symmetry import symmetry
@@ -130,7 +131,7 @@ class Section:
         turns = np.empty(len(edges))
         before, after = edges, edges[self.following]
         sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-        turns[self.following] = np.arctan2(sine, np.einsum("ij,ij->i", before, after))
+        turns[self.following] = np.arctan2(sine, dot(before, after))
         return turns
 
     @cached_property

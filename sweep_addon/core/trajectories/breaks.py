@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..parameters import ShapeError
-from ..vectors import unit
+from ..vectors import dot, unit
 from .arc_length import NODES, WEIGHTS, subdivided
 
 CELLS, MOST_CELLS = 509, 1 << 13  # a prime number: no simple fraction of the domain is an end of a cell
@@ -64,7 +64,7 @@ def missed(evaluate, derivative, start, end):
     inner = ((start + end) / 2 + half * NODES[:, None]).ravel()
     speed, bend = derivative(inner, 1), derivative(inner, 2)
     tangent, length = unit(speed), np.linalg.norm(speed, axis=1, keepdims=True)
-    bend -= np.einsum("ij,ij->i", bend, tangent)[:, None] * tangent
+    bend -= dot(bend, tangent)[:, None] * tangent
     rate = bend / np.where(length > 0, length, np.inf)
     turned, moved = (
         half[:, None] * np.einsum("m,mij->ij", WEIGHTS, part.reshape(len(NODES), -1, 3)) for part in (rate, speed)

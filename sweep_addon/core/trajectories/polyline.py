@@ -8,7 +8,7 @@ import numpy as np
 
 from ..corners import UNLIMITED, Corner, Mitre, Round
 from ..parameters import Array, ShapeError, declared, parameter, parameters, points, require
-from ..vectors import unit
+from ..vectors import dot, unit
 from .curve import NONE, SHARPEST
 from .legs import Cut, Legs
 
@@ -43,7 +43,7 @@ class Polyline(Legs):
         size = np.ptp(self.points.values, axis=0).max()
         self.refuse(self.lengths <= 1e-9 * size, "must not be where the next one is")
         legs = unit(legs)
-        turn = np.einsum("ij,ij->i", legs, np.roll(legs, 1, axis=0))
+        turn = dot(legs, np.roll(legs, 1, axis=0))
         self.refuse((turn < SHARPEST)[0 if self.closed else 1 :], "must not turn back on itself", not self.closed)
         self.check_carried(len(self.points))
         if not isinstance(self.corner, Mitre):
