@@ -10,6 +10,7 @@ import numpy as np
 from .digest import checksum
 from .grid import Grid
 from .runs import backward, run_of
+from .vectors import product
 
 
 class Texture(Enum):
@@ -93,7 +94,7 @@ class Chart:
             rows[0, ..., 0] = np.stack([end[chosen] for end in along], axis=-1)
             rows[1, ..., 1], rows[2, ..., 1] = 1 - np.array(shares), shares
             part = uv[start : start + len(sides) * width].reshape(len(sides), width)
-            np.matmul(sides, rows.reshape(3, width), out=part)
+            product(sides, rows.reshape(3, width), part)
             start += part.size
         uv[start:] = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in caps)])
         return uv.reshape(-1, 2)

@@ -25,7 +25,7 @@ from .sampling import Count, Sampling, Tolerance, place
 from .steps import mitred
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
-from .vectors import dot
+from .vectors import dot, product
 from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
@@ -285,7 +285,11 @@ def mirror(section):
 
 def drawn(rings, section, tips, dtype):
     """The vertices, column by column, tips last: one matrix product of the section with the axes of the stations."""
-    whole = rings[:, ~tips].astype(dtype)
-    weights = np.column_stack((np.ones(len(section)), section)).astype(dtype)
-    grid = (weights @ whole.reshape(len(rings), -1)).reshape(-1, 3)
-    return np.concatenate((grid, rings[0, tips].astype(dtype))) if tips.any() else grid
+    whole = rings[:, ~tips] if tips.any() else rings
+    weights = np.column_stack((np.ones(len(section)), section)).astype(dtype, order="C")
+    ringed = len(section) * whole.shape[1]
+    vertices = np.empty((ringed + np.count_nonzero(tips), 3), dtype)
+    axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
+    product(weights, axes, vertices[:ringed].reshape(len(section), -1))
+    vertices[ringed:] = rings[0, tips]
+    return vertices

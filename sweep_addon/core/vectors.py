@@ -4,6 +4,8 @@
 
 import numpy as np
 
+ONE_THREAD = 2**18  # elements of a product, below what OpenBLAS shares among threads
+
 
 def dot(a, b):
     """The products of vectors with one another, (..., k) twice to (...)."""
@@ -19,3 +21,14 @@ def unit(vectors):
     """Vectors of length one, row by row; a zero row stays zero."""
     norm = norms(vectors)[..., None]
     return vectors / np.where(norm, norm, 1.0)
+
+
+def product(left, right, out):
+    """The matrix product of a (m, k) and a (k, n) array, k small,, written into out, (m, n).
+
+    It is made in blocks so small that BLAS computes each in one thread: a product with so short a sum is bound by
+    memory, and where another program uses the processors, waiting for a second thread takes ten times as long.
+    """
+    width = max(ONE_THREAD // len(left), 1)
+    for start in range(0, right.shape[1], width):
+        np.matmul(left, right[:, start : start + width], out=out[:, start : start + width])
