@@ -21,7 +21,7 @@ from .grid import Grid
 from .laws import Law
 from .mesh import Mesh
 from .parameters import angle, at, declared, parameter, require
-from .sampling import Count, Sampling, Tolerance, place
+from .sampling import Count, Sampling, Stations, Tolerance, place
 from .steps import mitred
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
@@ -42,6 +42,20 @@ class Body(NamedTuple):
     scales: np.ndarray  # along e2 and e3: (n, 2)
     tips: np.ndarray  # which are a point: (n,) bool
     backward: bool  # whether the middles run against the trajectory
+    told: tuple  # sentences for people
+
+
+class Swept(NamedTuple):
+    """A sweep before its vertices are multiplied out."""
+
+    stations: Stations
+    along: Along
+    symmetry: int  # in how many turns the section is mapped to itself
+    body: Body
+    rings: np.ndarray  # the middle of each and its axes, those of the domes among them: (3 or more, n, 3)
+    shape: np.ndarray  # the weights of the axes, that is the section's points: (m, 2 or more)
+    tips: np.ndarray  # which rings are a point: (n,) bool
+    chart: Chart
     told: tuple  # sentences for people
 
 
@@ -107,6 +121,12 @@ class GeneralizedCylinder:
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((160, 3), 'float64', 0)
         """
+        swept = self.swept()
+        vertices = drawn(swept.rings, swept.shape, swept.tips, dtype)
+        return Mesh(vertices, swept.chart.grid.topology(), swept.chart, swept.told)
+
+    def swept(self):
+        """All that the mesh is drawn from: a `Swept`."""
         section, closed = section_of(self.contour, self.fit), self.trajectory.closed
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
         along, symmetry, reach, told = self.laid_out(section, ends)
@@ -139,7 +159,7 @@ class GeneralizedCylinder:
         around = lengths_around(body.section, np.abs(body.scales[~body.tips]).mean(axis=0))
         flat = tuple(body.section.points * body.scales[station] for station in (0, -1))
         chart = Chart(grid, u, s, stations.total, around, flat, self.texture, self.attributes)
-        return Mesh(drawn(rings, shape, points, dtype), grid.topology(), chart, told + body.told)
+        return Swept(stations, along, symmetry, body, rings, shape, points, chart, told + body.told)
 
     def laid_out(self, section, ends):
         """The laws of the sweep, in how many turns they leave the section as it is, its reach, and what is to be told.
