@@ -36,10 +36,17 @@ def ring(radius, count):
     return radius * np.stack((np.cos(angles), np.sin(angles), np.zeros(count)), axis=1)
 
 
-class CurveToMesh:
-    """Blender's node Curve to Mesh, with filled caps; with texture coordinates in true lengths where asked for."""
+def places(mesh):
+    """The vertices (n, 3) of a Blender mesh."""
+    found = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", found)
+    return found.reshape(-1, 3).astype(float)
 
-    def __init__(self, path, points=64, radius=0.1, contour=None, texture=False):
+
+class CurveToMesh:
+    """Blender's node Curve to Mesh, with filled caps; in true lengths of texture, or to a point, where asked for."""
+
+    def __init__(self, path, points=64, radius=0.1, contour=None, texture=False, shrinking=False):
         self.tree = tree = bpy.data.node_groups.new("Curve to Mesh", "GeometryNodeTree")
         tree.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
         sweep, output = (tree.nodes.new(kind) for kind in ("GeometryNodeCurveToMesh", "NodeGroupOutput"))
@@ -49,6 +56,8 @@ class CurveToMesh:
         around, v = self.measured(self.object_info(contour) if contour else self.circle.outputs["Curve"], texture)
         tree.links.new(along, sweep.inputs["Curve"])
         tree.links.new(around, sweep.inputs["Profile Curve"])
+        if shrinking:
+            tree.links.new(self.rest_of_the_way(), sweep.inputs["Scale"])
         mesh = self.textured(sweep.outputs["Mesh"], u, v) if texture else sweep.outputs["Mesh"]
         tree.links.new(mesh, output.inputs["Geometry"])
         self.object = linked("Node", bpy.data.meshes.new("Node"))
@@ -63,6 +72,13 @@ class CurveToMesh:
         node = self.tree.nodes.new("GeometryNodeCurvePrimitiveCircle")
         node.inputs["Resolution"].default_value, node.inputs["Radius"].default_value = points, radius
         return node
+
+    def rest_of_the_way(self):
+        """From 1 at the start of a curve to 0 at its end."""
+        spline, rest = map(self.tree.nodes.new, ("GeometryNodeSplineParameter", "ShaderNodeMath"))
+        rest.operation, rest.inputs[0].default_value = "SUBTRACT", 1.0
+        self.tree.links.new(spline.outputs["Factor"], rest.inputs[1])
+        return rest.outputs["Value"]
 
     def measured(self, geometry, texture):
         """A curve, and the length along it at each of its points."""
@@ -88,6 +104,59 @@ class CurveToMesh:
 
     def mesh(self):
         return evaluated(self.object)
+
+
+class Resampled:
+    """Blender's nodes Resample Curve, by a count, and Curve to Mesh, on a closed curve as fine as it is given."""
+
+    def __init__(self, places):
+        tree = bpy.data.node_groups.new("Resample", "GeometryNodeTree")
+        tree.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+        kinds = ("GeometryNodeObjectInfo", "GeometryNodeResampleCurve", "GeometryNodeCurveToMesh", "NodeGroupOutput")
+        info, resample, wire, output = map(tree.nodes.new, kinds)
+        info.inputs["Object"].default_value = curve(places, closed=True)
+        tree.links.new(info.outputs["Geometry"], resample.inputs["Curve"])
+        tree.links.new(resample.outputs["Curve"], wire.inputs["Curve"])
+        tree.links.new(wire.outputs["Mesh"], output.inputs["Geometry"])
+        self.count = resample.inputs["Count"]
+        self.object = linked("Resampled", bpy.data.meshes.new("Resampled"))
+        self.object.modifiers.new("Resample", "NODES").node_group = tree
+
+    def points(self, count):
+        self.count.default_value = count
+        return places(evaluated(self.object))
+
+
+class BezierCircle:
+    """Blender's Bezier circle of four knots, stretched along the axes."""
+
+    HANDLE = 4 / 3 * np.tan(np.pi / 8)
+
+    def __init__(self, size):
+        along = np.array([(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], float)
+        tangents = np.roll(along, -1, axis=0) * self.HANDLE
+        self.knots, self.before, self.after = (part * size for part in (along, along - tangents, along + tangents))
+        self.object = linked("Bezier", bpy.data.curves.new("Bezier", "CURVE"))
+        self.object.data.dimensions = "3D"
+        spline = self.object.data.splines.new("BEZIER")
+        spline.bezier_points.add(3)
+        spline.use_cyclic_u = True
+        for point, knot, before, after in zip(spline.bezier_points, self.knots, self.before, self.after, strict=True):
+            point.co, point.handle_left, point.handle_right = knot, before, after
+
+    def points(self, count):
+        """As many points as there are in whole steps of the four pieces."""
+        self.object.data.resolution_u = count // 4
+        return places(self.object.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh())
+
+    def exact(self, count):
+        """The curve itself (count, 3), by Bernstein's polynomials."""
+        t = np.arange(count // 4)[:, None] * 4 / count
+        following, arriving = (np.roll(part, -1, axis=0) for part in (self.knots, self.before))
+        pieces = zip(self.knots, self.after, arriving, following, strict=True)
+        return np.concatenate(
+            [(1 - t) ** 3 * a + 3 * t * (1 - t) ** 2 * b + 3 * t**2 * (1 - t) * c + t**3 * d for a, b, c, d in pieces]
+        )
 
 
 class Bevel:
@@ -137,3 +206,13 @@ def trimesh_sweep():
         return sweep_polygon(polygon, path, engine="earcut")
 
     return swept
+
+
+def trimesh_resampled(places):
+    """A function of a count: so many points along a closed curve by trimesh; None where it is not installed."""
+    try:
+        from trimesh.path.traversal import resample_path
+    except ImportError:
+        return None
+    loop = np.concatenate((places, places[:1]))
+    return lambda count: resample_path(loop, count=count + 1)[:-1]
