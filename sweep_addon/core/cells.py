@@ -20,7 +20,16 @@ ROUNDING = 1e-13  # of the length: differences over less are noise
 
 
 def cells(trajectory, chord, extra):
-    """Arc lengths between small cells, from 0 to the whole, and the steps that each cell asks for: (k + 1,) and (k,).
+    """Small cells of a trajectory, and what each asks for.
+
+    Returns
+    -------
+    grid : (k + 1,) float array
+        Arc lengths between the cells, from 0 to the whole.
+    steps : (k,) float array
+        The steps that each cell asks for: so many that chords are a little nearer than they must be.
+    squares : (k,) float array
+        How far one chord over each cell would be from the curve, in tolerances.
 
     A cell bends as the more bent one of its ends, so that no chord is too far away; but where that is a peak, as beside
     a cusp, by no more than half a turn.
@@ -34,8 +43,9 @@ def cells(trajectory, chord, extra):
     grid[-1] = measure.total
     turns = [norms(bend(trajectory, u[end], end == 1)) * width for end in (0, 1)]
     turn = np.minimum(np.maximum(*turns), np.maximum(np.minimum(*turns), np.pi))
-    steps = np.maximum(np.sqrt(turn * width / (8 * RESERVE * chord)), turn / WIDEST_BEND)
-    return (grid, steps) if extra is None else refined(grid, u, steps, extra, RESERVE * chord)
+    squares = turn * width / (8 * chord)
+    steps = np.maximum(np.sqrt(squares / RESERVE), turn / WIDEST_BEND)
+    return (grid, steps, squares) if extra is None else refined(grid, u, steps, squares, extra, RESERVE * chord)
 
 
 def cut(measure):
@@ -43,8 +53,8 @@ def cut(measure):
     return subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
 
 
-def refined(grid, u, steps, extra, chord):
-    """Cells cut into equal parts until what is asked for in addition is seen, and the steps that each part asks for.
+def refined(grid, u, steps, squares, extra, chord):
+    """Cells cut into equal parts until what is asked for in addition is seen, and what each part asks for.
 
     A law may change so often that cells miss it. It is seen when fewer places elsewhere ask for as many steps.
 
@@ -54,7 +64,7 @@ def refined(grid, u, steps, extra, chord):
         Arc lengths between the cells.
     u : (2, k) float array
         The parameters at the start and at the end of each.
-    steps : (k,) float array
+    steps, squares : (k,) float array
         What the trajectory's bends ask for.
     """
     for parts in PARTS:
@@ -66,7 +76,8 @@ def refined(grid, u, steps, extra, chord):
         missed = abs(some.sum() - asked.sum())
         if missed <= max(SEEN * asked.sum(), FEW):
             break
-    return s, np.hypot(np.repeat(steps / parts, parts), asked)
+    steps, squares = np.repeat(steps / parts, parts), np.repeat(squares / parts**2, parts)
+    return s, np.hypot(steps, asked), squares + RESERVE * asked**2
 
 
 def aside(s, u):

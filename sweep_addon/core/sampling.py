@@ -7,17 +7,16 @@ from functools import cached_property
 
 import numpy as np
 
-from .cells import bend, cells
+from .cells import bend
 from .parameters import ShapeError, count, declared, length, parameter, require
+from .spreading import MOST_STATIONS, distinct, fewest, spread, spread_evenly
 from .trajectories.arc_length import arc_length
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import dot, norms, unit
 
 __all__ = ["Count", "Sampling", "Tolerance"]
 
-MOST_STATIONS = 200_000
 FINEST = 1e-9  # metres
-FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
 
 
@@ -180,75 +179,6 @@ def place(trajectory, sampling, marks=(), extra=None):
     else:
         s = spread(trajectory, ends, sampling.chord, extra)
     return stations(trajectory, s[:-1] if trajectory.closed else s)
-
-
-def fewest(trajectory):
-    """Steps that a tube cannot do without: a closed one of two would lie on itself."""
-    return 3 if trajectory.closed else 1
-
-
-def distinct(values, least):
-    """Values in rising order, those dropped that are within a distance of the one before."""
-    values = np.unique(values)
-    return values[np.concatenate(([True], np.diff(values) > least))]
-
-
-def spread_evenly(ends, steps):
-    """Arc lengths with a number of steps shared out among the pieces between the ends by their lengths."""
-    lengths = np.diff(ends)
-    return pieces(ends, shared_out(steps, lengths), lambda piece, fraction: ends[piece] + fraction * lengths[piece])
-
-
-def shared_out(steps, lengths):
-    """Whole numbers in proportion to lengths, at least 1 each, that add up to the steps wherever those suffice."""
-    fair = lengths / lengths.sum() * steps
-    shares = np.maximum(1, np.floor(fair)).astype(int)
-    missing = max(steps, len(shares)) - shares.sum()
-    while missing:  # a few rounds: those farthest from their fair share first
-        side = np.sign(missing)
-        able = np.flatnonzero((shares > 1) | (side > 0))
-        first = able[np.argsort(side * (shares - fair)[able], kind="stable")][: abs(missing)]
-        shares[first] += side
-        missing -= side * len(first)
-    return shares
-
-
-def spread(trajectory, ends, chord, extra):
-    """Arc lengths that equidistribute the square root of the curvature, to which a chord's distance is bound.
-
-    A chord of length h over curvature k is k h^2 / 8 away from the curve; equal distances need steps as 1 / sqrt(k).
-    Only from an inflection, where k grows from nothing, may one chord be 2 / sqrt(3) times as far away.
-    """
-    grid, asked = cells(trajectory, chord, extra)
-    mean = asked.sum() / grid[-1]
-    needed, reached = (
-        np.concatenate(([0.0], np.cumsum(steps))) for steps in (asked, np.maximum(asked, FLOOR * mean * np.diff(grid)))
-    )
-    at_ends = np.interp(ends, grid, reached)
-    wanted = np.diff(np.interp(ends, grid, needed))
-    wanted = np.where(wanted > 1, np.diff(at_ends), wanted)  # a straight piece needs one step whatever the floor
-    steps = np.maximum(-(-fewest(trajectory) // len(wanted)), np.ceil(wanted - 1e-9))
-    most = f"must be larger, or the sweep turn less: it needs {steps.sum():,.0f} contours of {MOST_STATIONS:,} at most"
-    require(steps.sum() <= MOST_STATIONS, most, chord, "samples.chord")
-    steps = steps.astype(np.int64)
-
-    def arc_lengths(piece, fraction):
-        return np.interp(at_ends[piece] + fraction * np.diff(at_ends)[piece], reached, grid)
-
-    def evenly(piece, fraction):
-        return ends[piece] + fraction * np.diff(ends)[piece]
-
-    return pieces(ends, steps, arc_lengths if mean > 0 else evenly)
-
-
-def pieces(ends, steps, arc_lengths):
-    """All stations of all pieces, each cut into its number of steps; the ends themselves are exact."""
-    first = np.cumsum(steps) - steps
-    piece = np.repeat(np.arange(len(steps)), steps)
-    within = np.arange(steps.sum()) - first[piece]
-    s = arc_lengths(piece, within / steps[piece])
-    s[first] = ends[:-1]
-    return np.append(s, ends[-1])
 
 
 def stations(trajectory, s):
