@@ -39,7 +39,8 @@ class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
         curve = context.active_object
         try:
             shape = presets.shape(self.preset.lower())
-            follows = self.follow and isinstance(shape.trajectory, Line) and curve and curve.type == "CURVE"
+            straight = isinstance(getattr(shape, "trajectory", None), Line)
+            follows = self.follow and straight and curve and curve.type == "CURVE"
             given = {"trajectory": curve} if follows and curve.select_get() else {}
             mesh = objects.new_mesh(shape, presets.title(self.preset.lower()), **given)
         except ShapeError as error:

@@ -32,13 +32,18 @@ class AddShape(AddObjectHelper):
         return {"FINISHED"}
 
 
+def idname(shape):
+    """How Blender names the operator that adds a shape."""
+    return f"mesh.{spelled(shape, '_')}_add"
+
+
 def add_operator(shape):
     """The operator that adds one shape."""
     name = spelled(shape, "_")
     members = {
         "__doc__": summary(shape),
         "__annotations__": rna.annotations(parameters(shape)),
-        "bl_idname": f"mesh.{name}_add",
+        "bl_idname": idname(shape),
         "bl_label": objects.title(shape),
         "shape": shape,
     }

@@ -6,7 +6,7 @@ from bpy.props import EnumProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import curves, objects
-from ..sweep_addon.core.parameters import ShapeError
+from ..sweep_addon.core.parameters import ShapeError, parameters
 
 
 class OBJECT_OT_sweep_edit_as_curve(Operator):
@@ -34,11 +34,15 @@ class OBJECT_OT_sweep_edit_as_curve(Operator):
 
     def execute(self, context):
         ob = context.active_object
+        shape, _ = objects.group_of(ob.data)
+        if self.parameter not in [p.name for p in parameters(shape)]:
+            self.report({"ERROR"}, f"The {objects.title(shape).lower()} has no {self.parameter}")
+            return {"CANCELLED"}
         curve = objects.inputs(ob.data).get(self.parameter)
         if curve:
             self.report({"ERROR"}, f"The {self.parameter} is the object {curve.name!r} already: edit that")
             return {"CANCELLED"}
-        if self.parameter == "trajectory" and ob.animation_data:
+        if self.parameter == objects.carrier(shape) and ob.animation_data:
             self.report({"ERROR"}, f"The object {ob.name!r} is animated: clear its animation first, the curve moves it")
             return {"CANCELLED"}
         try:

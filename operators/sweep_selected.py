@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sweep what is selected: one curve along another, or a circle along the only one."""
+"""Sweep what is selected: one curve along another, a circle along the only one, or a curve or text as a contour."""
 
-from bpy.props import BoolProperty
+from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.bridge import objects, rna
+from ..sweep_addon.core.description import summary
 from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from ..sweep_addon.core.parameters import ShapeError
+from ..sweep_addon.core.parameters import ShapeError, spelled
+from ..sweep_addon.core.shapes import SHAPES
 
 
 class OBJECT_OT_sweep_selected(Operator):
@@ -17,24 +19,39 @@ class OBJECT_OT_sweep_selected(Operator):
     bl_label = "Sweep Selected"
     bl_options = {"REGISTER", "UNDO"}
 
+    shape: EnumProperty(
+        name="Shape",
+        description="What becomes of the selected objects",
+        items=[rna.item(shape, summary(shape)) for shape in SHAPES],
+        default=spelled(GeneralizedCylinder, "_").upper(),
+    )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")
+
+    @classmethod
+    def description(cls, context, properties):
+        shape = objects.SHAPE[properties.shape]
+        if objects.carrier(shape) == "trajectory":
+            return cls.__doc__
+        return f"{objects.title(shape)} of the active curve or text. {summary(shape)}"
 
     @classmethod
     def poll(cls, context):
         chosen = inputs(context) if context.mode == "OBJECT" else []
-        if any(ob.type == "CURVE" for ob in chosen) and (len(chosen) == 1 or active_of_two(context, chosen)):
+        if len(chosen) == 1 or active_of_two(context, chosen) and any(ob.type == "CURVE" for ob in chosen):
             return True
         cls.poll_message_set("Select a curve to sweep along, or two: the contour active, the trajectory with it")
         return False
 
     def execute(self, context):
-        given = roles(context, self.swap)
+        shape = objects.SHAPE[self.shape]
+        carrier = objects.carrier(shape)
+        given = roles(context, self.swap) if carrier == "trajectory" else {carrier: contour(context)}
         try:
-            mesh = objects.new_mesh(GeneralizedCylinder(), "Sweep", **given)
+            mesh = objects.new_mesh(shape(), objects.title(shape), **given)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        objects.place_along(context, mesh, given["trajectory"])
+        objects.place_along(context, mesh, given[carrier])
         return {"FINISHED"}
 
 
@@ -46,6 +63,12 @@ def inputs(context):
 def active_of_two(context, chosen):
     """Whether there are two, of which one is active."""
     return len(chosen) == 2 and context.view_layer.objects.active in chosen
+
+
+def contour(context):
+    """The active one of the selected objects, or the only one."""
+    chosen, active = inputs(context), context.view_layer.objects.active
+    return active if active in chosen else chosen[0]
 
 
 def roles(context, swap):

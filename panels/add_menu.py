@@ -4,7 +4,10 @@
 
 from bpy.types import Menu
 
-from ..operators.add_shape import OPERATORS
+from ..operators.add_shape import idname
+from ..sweep_addon.bridge.objects import title as title_of
+from ..sweep_addon.core.parameters import spelled
+from ..sweep_addon.core.shapes import CLASSIFICATION, SHAPES
 from ..sweep_addon.presets import PRESETS, title
 
 GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
@@ -17,8 +20,10 @@ class VIEW3D_MT_sweep_add(Menu):
 
     def draw(self, context):
         self.layout.operator_context = "INVOKE_REGION_WIN"
-        for operator in OPERATORS:
-            self.layout.operator(operator.bl_idname, icon="MESH_CYLINDER")
+        for generator, shapes in CLASSIFICATION.items():
+            self.layout.label(text=generator)
+            for shape in shapes:
+                self.layout.operator(idname(shape), icon="MESH_CYLINDER")
         self.layout.separator()
         for entry in dict.fromkeys(preset.group or preset for preset in PRESETS):
             if entry in GROUPS:
@@ -47,7 +52,18 @@ def draw_preset(layout, preset, text):
     layout.operator("mesh.sweep_preset_add", text=text).preset = preset.name.upper()
 
 
-MENUS = (*map(menu_of, GROUPS), VIEW3D_MT_sweep_add)
+class VIEW3D_MT_sweep_selected(Menu):
+    """What can be made of the selected curves and texts"""
+
+    bl_label = "Sweep Selected"
+
+    def draw(self, context):
+        for shape in SHAPES:
+            name = spelled(shape, "_").upper()
+            self.layout.operator("object.sweep_selected", text=title_of(shape), icon="MESH_CYLINDER").shape = name
+
+
+MENUS = (*map(menu_of, GROUPS), VIEW3D_MT_sweep_add, VIEW3D_MT_sweep_selected)
 
 
 def draw_in_mesh_add(self, context):

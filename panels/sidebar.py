@@ -28,6 +28,7 @@ class VIEW3D_PT_sweep(Panel):
         row = layout.row(align=True)
         row.menu("VIEW3D_MT_sweep_add", text="Add", icon="ADD")
         row.operator("object.sweep_selected")
+        row.menu("VIEW3D_MT_sweep_selected", text="", icon="DOWNARROW_HLT")
         say = sentences(context)
         if not objects.is_sweep(ob):
             say(layout, hint(context), "INFO")
@@ -65,12 +66,14 @@ def draw_sweep(layout, context, mesh, say):
     column.use_property_decorate = True
     if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
         say(column, "Hold Alt to change all.", "INFO")
-    bodies = declared_layout.draw(column, group, parameters(shape))
-    if "Frame" in bodies:
-        bodies["Frame"].prop(context.window_manager, "sweep_show_frames")
+    declared = parameters(shape)
+    bodies = declared_layout.draw(column, group, declared)
+    frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
+    if frames:
+        frames.prop(context.window_manager, "sweep_show_frames")
     row = layout.row(align=True)
-    for parameter in ("trajectory", "contour"):
-        row.operator("object.sweep_edit_as_curve", text=f"Edit {parameter.title()}").parameter = parameter
+    for p in reversed([p for p in declared if p.accepts]):
+        row.operator("object.sweep_edit_as_curve", text=f"Edit {p.name.title()}").parameter = p.name
     layout.operator("object.sweep_apply")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"

@@ -10,6 +10,7 @@ import pytest
 from sweep_addon.batch import job
 from sweep_addon.core.description import markdown
 from sweep_addon.core.ends import Open
+from sweep_addon.core.parameters import spelled
 from sweep_addon.core.shapes import SHAPES
 
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -26,11 +27,12 @@ def test_links_and_pictures_of_a_page_exist(page):
     assert not missing
 
 
-def test_table_of_parameters_is_the_declaration():
-    """Its text is what ``sweep describe generalized-cylinder --markdown`` prints."""
-    page = (CHECKOUT / "docs" / "generalized_cylinder.md").read_text()
+@pytest.mark.parametrize("shape", SHAPES, ids=spelled)
+def test_table_of_parameters_is_the_declaration(shape):
+    """Its text is what ``sweep describe generalized-cylinder --markdown`` prints, or that of another shape."""
+    page = (CHECKOUT / "docs" / f"{spelled(shape, '_')}.md").read_text()
     table = page.partition("<!-- parameters -->\n")[2].partition("<!-- end of parameters -->")[0]
-    assert table.strip() == markdown(SHAPES[0])
+    assert table.strip() == markdown(shape)
 
 
 @pytest.mark.parametrize("path", JOBS, ids=lambda path: path.stem)

@@ -39,14 +39,15 @@ def trajectories(ob, depsgraph=None):
     return found
 
 
-def outline(ob, depsgraph=None):
-    """The outline of a curve or text object: its splines in its own xy plane, scaled as the object is.
+def outline(ob, depsgraph=None, scaled=True):
+    """The outline of a curve or text object: its splines in its own xy plane, scaled as the object is if so asked.
 
     A spline that is not cyclic is closed by a straight line.
     """
     loops = as_shown(ob, depsgraph, spline_loops)
     require(loops, "must be a curve or text with an outline", ob.name)
-    return Outline([loop * ob.scale[:2] for loop in loops])
+    scale = ob.scale[:2] if scaled else 1.0
+    return Outline([loop * scale for loop in loops])
 
 
 def as_shown(ob, depsgraph, read):

@@ -113,6 +113,12 @@ def is_sweep(ob):
     return sweep is not None and sweep.kind != "NONE"  # None too where the extension is not enabled
 
 
+def carrier(shape):
+    """The name of the parameter in whose object's space the mesh of a shape's class is: the path, if it has one."""
+    names = [p.name for p in parameters(shape)]
+    return "trajectory" if "trajectory" in names else "contour"
+
+
 def title(shape):
     """The name of a shape's class for people."""
     return spelled(shape, " ").title()
@@ -141,7 +147,7 @@ def shapes(mesh, depsgraph=None):
     def resolve(ob, p, number=0):
         with at(p.name):
             if "FONT" in p.accepts:
-                return curves.outline(ob, depsgraph)
+                return curves.outline(ob, depsgraph, scaled=p.name != carrier(shape))
             if p.name not in paths:
                 paths[p.name] = curves.trajectories(ob, depsgraph)
         return paths[p.name][number]
@@ -180,10 +186,10 @@ def link(context, data):
     return ob
 
 
-def place_along(context, mesh, trajectory):
-    """A new active object of a mesh, in the space of the trajectory that it follows."""
+def place_along(context, mesh, carrier):
+    """A new active object of a mesh, in the space of the trajectory or contour that it follows."""
     ob = link(context, mesh)
-    attach(ob, trajectory)
+    attach(ob, carrier)
     for other in context.selected_objects:
         other.select_set(False)
     ob.select_set(True)
@@ -191,20 +197,20 @@ def place_along(context, mesh, trajectory):
     return ob
 
 
-def attach(ob, trajectory):
-    """Put an object into the space of a trajectory, where its mesh is.
+def attach(ob, carrier):
+    """Put an object into the space of a curve or text, where its mesh is.
 
     Blender puts a child of a curve with *Path Animation*, which every curve of its Add menu has, at the path's start.
     A path that nothing follows is switched off; where something may, the object is constrained and not parented.
     """
-    curve = trajectory.data
-    if curve.use_path and (curve.animation_data or is_followed(trajectory)):
+    curve = carrier.data
+    if curve.use_path and (curve.animation_data or is_followed(carrier)):
         constraint = ob.constraints.new("CHILD_OF")
-        constraint.target = trajectory
+        constraint.target = carrier
         constraint.inverse_matrix.identity()
         return
     curve.use_path = False
-    ob.parent = trajectory
+    ob.parent = carrier
 
 
 def is_followed(curve):
@@ -214,11 +220,11 @@ def is_followed(curve):
 
 
 def use(ob, parameter, curve):
-    """Let a curve object stand for a parameter of a sweep; a trajectory stands where the sweep stood."""
-    _, group = group_of(ob.data)
+    """Let a curve object stand for a parameter of a sweep; one in whose space the sweep is stands where that stood."""
+    shape, group = group_of(ob.data)
     setattr(group, f"{parameter}_object", curve)
     setattr(group, parameter, "OBJECT")
-    if parameter == "trajectory":
+    if parameter == carrier(shape):
         curve.parent, curve.matrix_local = ob.parent, ob.matrix_local.copy()
         ob.parent = curve
         ob.matrix_basis.identity()

@@ -121,7 +121,7 @@ def schema(shapes):
     Examples
     --------
     >>> from sweep_addon.core.shapes import SHAPES
-    >>> schema(SHAPES)["anyOf"][0]["properties"]["scale_x"]["anyOf"][0]["type"]
+    >>> schema(SHAPES)["anyOf"][0]["properties"]["height"]["type"]
     'number'
     """
     version = {"const": VERSION, "description": "Version of the format"}

@@ -4,7 +4,7 @@
 
 from .parameters import declared, length, parameter
 
-__all__ = ["End", "Flat", "Open", "Round", "Taper"]
+__all__ = ["Cap", "End", "Flat", "Open", "Round", "Taper"]
 
 
 @declared
@@ -65,6 +65,7 @@ class Round:
 
 
 End = Flat | Open | Taper | Round
+Cap = Flat | Open
 
 
 def __dir__():

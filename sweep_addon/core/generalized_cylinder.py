@@ -19,7 +19,7 @@ from .ends import End, Flat, Round, Taper
 from .frames import Frame, Frames, RotationMinimizing, axes
 from .grid import Grid
 from .laws import Law
-from .mesh import Mesh
+from .mesh import Mesh, require_few
 from .parameters import angle, at, declared, parameter, require
 from .sampling import Count, Sampling, Stations, Tolerance, place
 from .steps import mitred
@@ -29,7 +29,6 @@ from .vectors import dot, product
 from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
-MOST_VERTICES = 20_000_000
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
 
@@ -135,7 +134,7 @@ class GeneralizedCylinder:
         body = self.carried(section, along, stations, symmetry, tau * sectors / symmetry)
         domes = domes_of(ends, body.section, body.scales[[0, -1]], body.tips[[0, -1]], self.samples)
         vertices = (len(stations.s) + sum(map(len, domes))) * len(section.points)
-        require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, "samples")
+        require_few(vertices, "samples")
         rings, shape = body.rings, body.section.points
         if self.fit is Fit.CIRCUMSCRIBED:
             true = halfway(stations, self.frame, along, symmetry)

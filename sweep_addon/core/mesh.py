@@ -8,8 +8,10 @@ from functools import cached_property
 import numpy as np
 
 from .digest import checksum
+from .parameters import require
 from .runs import following
 
+MOST_VERTICES = 20_000_000
 SAMPLE = 64  # of a named topology every so many numbers make its key: enough to tell how another version lays them
 
 
@@ -264,3 +266,8 @@ class Mesh:
         """
         pairs, _, _ = self.topology.uses()
         return len(self.vertices) - len(pairs) + len(self.offsets) - 1
+
+
+def require_few(vertices, key):
+    """Refuse a mesh of more vertices than fit into memory, before anything is done for it."""
+    require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, key)

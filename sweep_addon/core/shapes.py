@@ -4,6 +4,8 @@
 
 from .generalized_cylinder import GeneralizedCylinder
 from .parameters import spelled
+from .translational_sweep import TranslationalSweep
 
-SHAPES = (GeneralizedCylinder,)
+CLASSIFICATION = {"Planar Generator": (TranslationalSweep, GeneralizedCylinder)}  # the lecture's, in its order
+SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

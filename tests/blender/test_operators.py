@@ -15,6 +15,9 @@ from scenes import curve, extent, parameters_of, places, select, square, straigh
 
 import sweep_addon as sw
 from sweep_addon import presets
+from sweep_addon.bridge import objects
+from sweep_addon.core.parameters import spelled
+from sweep_addon.core.shapes import SHAPES
 
 
 def known():
@@ -127,6 +130,26 @@ def test_refused_sweep_of_the_selected_leaves_nothing_behind(scene):
     assert bpy.context.active_object == speck and speck.select_get()
 
 
+def test_text_has_no_length_to_move_along(scene):
+    select(text("I"))
+    with pytest.raises(RuntimeError, match="trajectory: must be a curve object, got font"):
+        bpy.ops.object.sweep_selected()
+
+
+@pytest.mark.parametrize("shape", [shape for shape in SHAPES if objects.carrier(shape) == "contour"], ids=spelled)
+@pytest.mark.parametrize("kind", ["curve", "text", "two"])
+def test_active_curve_or_text_is_the_contour_of_a_shape_without_a_trajectory(scene, shape, kind):
+    """The new object is its child, in its space: what scales it scales the sweep once."""
+    contour = text("I") if kind == "text" else square()
+    contour.location, contour.scale = (3, 0, 0), (2, 2, 2)
+    select(contour, *([straight()] if kind == "two" else []))
+    bpy.ops.object.sweep_selected(shape=spelled(shape, "_").upper())
+    bpy.context.view_layer.update()
+    ob = bpy.context.active_object
+    assert ob.parent == contour and ob.data.sweep.kind == spelled(shape, "_").upper() and not ob.data.sweep.error
+    assert ob.dimensions[1] * ob.matrix_world.to_scale()[1] == pytest.approx(contour.dimensions[1], rel=1e-5)
+
+
 def refused(operator, sentence, **options):
     """Whether an operator cannot be called and says this about it."""
     assert not operator.poll()
@@ -137,7 +160,7 @@ def refused(operator, sentence, **options):
 def test_sweep_selected_says_what_to_select(scene):
     sentence = "Select a curve to sweep along, or two"
     refused(bpy.ops.object.sweep_selected, sentence)
-    select(text("I"))
+    select(text("I"), text("O"))
     refused(bpy.ops.object.sweep_selected, sentence)
     select(straight(), square(), text("I"))
     refused(bpy.ops.object.sweep_selected, sentence)

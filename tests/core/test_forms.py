@@ -30,7 +30,7 @@ RICH = GeneralizedCylinder(
     start=ends.Round(height=0.7),
     end=ends.Taper(length=0.1),
 )
-EXAMPLES = [GeneralizedCylinder(), RICH, *(shape() for shape in SHAPES[1:])]
+EXAMPLES = [GeneralizedCylinder(), RICH, *(shape() for shape in SHAPES)]
 
 
 @pytest.mark.parametrize("shape", EXAMPLES)

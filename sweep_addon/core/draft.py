@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draft: the edges of a section moved inwards, each parallel to itself, as the sides of a casting lean."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .contours.crossing import crossings
+
+ALIKE = 1e-6  # of a height: single precision, which Blender keeps, tells no less apart
+HALVINGS = 40  # of the way to a height at which edges meet
+
+
+def mitres(section):
+    """(m, 2) float array: where each point goes while all edges move by one metre into the area on their left.
+
+    A point stays on both its edges: it moves on the bisector of their normals, by 1 / cos(half the turn).
+
+    Examples
+    --------
+    >>> from .contours import Rectangle
+    >>> mitres(Rectangle(2, 2).section()).round(12).tolist()
+    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+    """
+    edges = section.points[section.following] - section.points
+    after = edges[:, ::-1] * (-1, 1) / section.edge_lengths[:, None]
+    before = np.empty_like(after)
+    before[section.following] = after
+    across = before + after
+    return 2 * across / np.einsum("ij,ij->i", across, across)[:, None]
+
+
+def drafted(section, moves, height):
+    """The section at a height, its points gone so far (m, 2) in each metre of it."""
+    return replace(section, points=section.points + height * moves)
+
+
+def reachable(section, moves, height):
+    """How high a section stays one, and whether it is a point there.
+
+    Parameters
+    ----------
+    section : Section
+    moves : (m, 2) float array
+        How far each point goes in a metre of height.
+    height : float
+        As high as is asked for.
+
+    Returns
+    -------
+    height : float
+        Where the first edge has no length left or edges meet; infinite where none does up to the height.
+    point : bool
+        Whether all edges of one loop vanish at once, and there.
+
+    Examples
+    --------
+    The edges of a square meet where it is a point, those of a rectangle do not:
+
+    >>> from .contours import Rectangle
+    >>> for width in (2, 3):
+    ...     section = Rectangle(width, 2).section()
+    ...     print(reachable(section, mitres(section), 1.0))
+    (1.0, True)
+    (1.0, False)
+    """
+    edges = section.points[section.following] - section.points
+    shrinks = -np.einsum("ij,ij->i", moves[section.following] - moves, edges) / section.edge_lengths
+    vanish = np.full(len(edges), np.inf)
+    np.divide(section.edge_lengths, shrinks, out=vanish, where=shrinks > 0)
+    first = float(vanish.min())
+    if len(section.offsets) == 2 and vanish.max() <= first * (1 + ALIKE) and height >= first * (1 - ALIKE):
+        return first, True
+    if height < first and not meets(drafted(section, moves, height)):
+        return np.inf, False
+    low, high = 0.0, min(height, first)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        clear = not meets(drafted(section, moves, middle))
+        low, high = (middle, high) if clear else (low, middle)
+    return high, False
+
+
+def meets(section):
+    """Whether edges of a section cross or touch."""
+    return bool(len(crossings(section.points, section.following)))

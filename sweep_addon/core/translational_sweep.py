@@ -1,0 +1,231 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The translational sweep: a contour moved along a line segment, its sides upright, oblique or drafted."""
+
+from dataclasses import replace
+from enum import Enum
+from functools import lru_cache
+from math import atan, degrees, radians, tan
+
+import numpy as np
+
+from . import caps
+from .chart import Chart, Texture, lengths_around
+from .contours import Contour, Fit, Rectangle, fitted
+from .draft import ALIKE, drafted, mitres, reachable
+from .ends import Cap, Flat
+from .frames import Frames
+from .grid import Grid
+from .mesh import Mesh, require_few
+from .parameters import Array, ShapeError, angle, count, declared, length, parameter, require
+from .placed import placed
+from .wording import shown
+
+ATTRIBUTES = "UVs and Attributes"
+STEEPEST = radians(89)
+FLATTEST = 1e-6  # of a direction's length, out of the contour's plane
+
+
+class Directions(Enum):
+    UP = "From the contour's plane up by the height"
+    SYMMETRIC = "Half of the height up and half of it down"
+    BOTH = "Up by the height and down by the depth"
+
+
+class Reference(Enum):
+    ORIGIN = "The contour's own origin"
+    CENTROID = "The centroid of the contour's area"
+    POINT = "Any point of the contour's plane"
+
+
+@declared
+class TranslationalSweep:
+    """A contour that moves along a line segment: an extrusion, a prism, a frustum
+
+    Its orientation does not change, and its shape only by a taper: then all edges of the contour move inwards, parallel
+    to themselves and by the same distance, so that the sides stand at the angle of the taper to the direction out of
+    the plane, as those of a casting do. A taper at which the whole contour becomes a point is a pyramid or a cone.
+
+    Examples
+    --------
+    A frustum is as large as its contours and the mean of them, weighted 1, 4 and 1, say (Simpson's rule, exact here).
+
+    >>> from math import atan
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> round(TranslationalSweep(Rectangle(2, 2), 3.0, taper=atan(1 / 6)).mesh().volume(), 12)
+    7.0
+    >>> pyramid = TranslationalSweep(Rectangle(2, 2), 3.0, taper=atan(1 / 3)).mesh()
+    >>> round(pyramid.volume(), 12), len(pyramid.vertices)
+    (4.0, 5)
+    """
+
+    contour: Contour = parameter(Rectangle(1.0, 1.0), "What moves", accepts=("CURVE", "FONT"))
+    height: float = length(1.0, "How far it moves, measured out of its plane", soft_maximum=100.0)
+    directions: Directions = parameter(Directions.UP, "Which way it moves from its plane")
+    depth: float = length(0.5, "How far it moves down, where it moves in both directions", soft_maximum=100.0)
+    direction: tuple[float, float, float] = parameter((0.0, 0.0, 1.0), "Where to: straight up, or obliquely")
+    steps: int = count(1, "Parts of equal height", maximum=100_000, soft_maximum=100)
+    taper: float = angle(0.0, "Angle at which the sides lean inwards", minimum=-STEEPEST, maximum=STEEPEST,
+                         group="Draft")  # fmt: skip
+    hole_taper: float = angle(0.0, "Angle at which the sides of holes lean into the material, so that they widen",
+                              minimum=-STEEPEST, maximum=STEEPEST, group="Draft")  # fmt: skip
+    tapers: Array = parameter((), "Angle of each loop of the contour, instead of the two", unit="angle", group="Draft")
+    reference: Reference = parameter(
+        Reference.ORIGIN, "The contour's point that moves from the origin", group="Reference Point"
+    )
+    reference_x: float = parameter(0.0, "Where a chosen point is along x", unit="length", group="Reference Point")
+    reference_y: float = parameter(0.0, "Where a chosen point is along y", unit="length", group="Reference Point")
+    start: Cap = parameter(Flat(), "What closes the start", group="Ends")
+    end: Cap = parameter(Flat(), "What closes the end", group="Ends")
+    texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
+    attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
+    fit: Fit = parameter(Fit.INSCRIBED, "How the contour's polygon stands to its curves")
+
+    def check(self):
+        """Refuse a direction along the contour's plane or down."""
+        size = float(np.linalg.norm(self.direction))
+        up = self.direction[2] > FLATTEST * size
+        require(up, "must point up, out of the contour's plane", list(self.direction), "direction")
+        tapers = self.tapers.values
+        wrong = tapers[np.abs(tapers) > STEEPEST]
+        require(not len(wrong), f"must be at most {STEEPEST:.4g} in size", float((*wrong, 0.0)[0]), "tapers")
+
+    def mesh(self, dtype=np.float64):
+        """The surface as a mesh: closed, manifold and outward unless an end is open.
+
+        Parameters
+        ----------
+        dtype : numpy dtype
+            Of the vertices, which are in metres.
+
+        Returns
+        -------
+        Mesh
+
+        Raises
+        ------
+        ShapeError
+            Where edges of a tapered contour vanish or meet below the height, or where there would be too many vertices.
+
+        Examples
+        --------
+        >>> TranslationalSweep(height=2.0, steps=3).mesh().vertices.shape
+        (16, 3)
+        """
+        section, heights = self.section(), self.heights()
+        require_few(len(heights) * len(section.points), "steps")
+        moves, points = self.drafts(section, heights)
+        s = (heights - heights[0]) / self.upright
+        grid = Grid(
+            rings=len(heights),
+            tips=tuple(station for station, point in zip((0, len(heights) - 1), points, strict=True) if point),
+            closed=False,
+            creases=tuple(np.flatnonzero(heights == 0).tolist()) if moves.any() and heights[0] < 0 else (),
+            offsets=tuple(section.offsets.tolist()),
+            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
+            caps=tuple(
+                caps.faces(section) if isinstance(end, Flat) and not point else None
+                for end, point in zip((self.start, self.end), points, strict=True)
+            ),
+        )
+        flat = tuple(drafted(section, moves, abs(height)).points for height in heights[[0, -1]])
+        around = lengths_around(section, np.ones(2))
+        chart = Chart(grid, s / s[-1], s, s[-1], around, flat, self.texture, self.attributes)
+        return Mesh(placed(grid, *self.laid(section, moves, heights), dtype), grid.topology(), chart)
+
+    def section(self):
+        """The section of the contour as its reference point is at the origin."""
+        return referred(self.contour, self.fit, self.reference, (self.reference_x, self.reference_y))
+
+    def heights(self):
+        """How far contours stand out of their plane, which is among them if they are drafted: (n,) float array."""
+        low, high = {
+            Directions.UP: (0.0, self.height),
+            Directions.SYMMETRIC: (-self.height / 2, self.height / 2),
+            Directions.BOTH: (-self.depth, self.height),
+        }[self.directions]
+        heights = np.linspace(low, high, self.steps + 1)
+        drafted = self.taper or self.hole_taper or self.tapers.values.any()
+        return np.union1d(heights, 0.0) if drafted and low < 0 else heights
+
+    @property
+    def upright(self):
+        """The part of its way by which the contour leaves its plane: the cosine of how oblique it is."""
+        return self.direction[2] / float(np.linalg.norm(self.direction))
+
+    def slopes(self, section):
+        """The tangent of the taper of each loop: (k,) float array."""
+        if len(self.tapers):
+            loops = len(section.areas)
+            require(len(self.tapers) == loops, f"must have one angle a loop, {loops}", len(self.tapers), "tapers")
+            return np.tan(self.tapers.values)
+        return np.where(section.areas > 0, tan(self.taper), tan(self.hole_taper))
+
+    def drafts(self, section, heights):
+        """How far each point goes inwards in a metre of height, (m, 2), and whether the ends are points."""
+        slopes = self.slopes(section)
+        if not slopes.any():
+            return np.zeros_like(section.points), (False, False)
+        moves = mitres(section) * slopes[section.loop_of, None]
+        points = []
+        for height in np.abs(heights[[0, -1]]).tolist():
+            reached, point = reachable(section, moves, height)
+            if height > reached * (1 + ALIKE if point else 1):
+                raise self.refusal(slopes, height, reached)
+            points.append(point)
+        return moves, tuple(points)
+
+    def refusal(self, slopes, height, reached):
+        """What is said of a taper whose edges meet before the height: the largest angle."""
+        steepest = max(slopes.tolist(), key=abs)
+        key = "tapers" if len(self.tapers) else "taper" if abs(tan(self.taper)) == abs(steepest) else "hole_taper"
+        most = atan(abs(steepest) * reached / height)
+        most = f"must be at most {most:.9g} ({degrees(most):.6g} degrees) in size"
+        return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(atan(steepest))}", key)
+
+    def laid(self, section, moves, heights):
+        """The weights of the section's points, (m, k), and the rings that they are of, (k, n, 3)."""
+        axes = np.zeros((3, len(heights), 3))
+        axes[0] = heights[:, None] * (np.array(self.direction) / self.direction[2])
+        axes[1, :, 0] = axes[2, :, 1] = 1.0
+        weights = np.column_stack((np.ones(len(section.points)), section.points))
+        if not moves.any():
+            return weights, axes
+        return np.column_stack((weights, moves)), np.concatenate((axes, axes[1:] * np.abs(heights)[:, None]))
+
+    def frames(self, most=100):
+        """The frames and contours at the stations, or at places spread evenly among them.
+
+        Parameters
+        ----------
+        most : int
+            Of places.
+
+        Returns
+        -------
+        Frames
+
+        Examples
+        --------
+        >>> frames = TranslationalSweep(height=2.0).frames()
+        >>> frames.points.tolist(), frames.e1[0].tolist(), frames.contours[0].shape
+        ([[0.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [0.0, 0.0, 1.0], (2, 4, 3))
+        """
+        require(most >= 2, "must be at least 2", most, "most")
+        section, heights = self.section(), self.heights()
+        heights = heights[np.unique(np.linspace(0, len(heights) - 1, min(most, len(heights))).round().astype(int))]
+        moves, _ = self.drafts(section, heights)
+        weights, rings = self.laid(section, moves, heights)
+        loops = tuple(np.split(np.einsum("mk,kni->nmi", weights, rings), section.offsets[1:-1], axis=1))
+        s = (heights - heights[0]) / self.upright
+        ways = np.tile(self.direction / np.linalg.norm(self.direction), (len(heights), 1))
+        return Frames(s / s[-1], s, rings[0], ways, rings[1], rings[2], loops)
+
+
+@lru_cache(maxsize=16)
+def referred(contour, fit, reference, point):
+    """The section of a contour with a point of its plane at the origin, made once for equal ones."""
+    section = fitted(contour, fit)
+    if reference is Reference.ORIGIN:
+        return section
+    return replace(section, points=section.points - (section.centroid if reference is Reference.CENTROID else point))
