@@ -155,8 +155,8 @@ def require_usable(ob, types):
         raise ShapeError("must be an object of the scene; none is chosen, or it was deleted")
     if not (ob.library or ob.original.users_scene or ob.original.users_collection):
         raise ShapeError(f"must be an object of the scene; {ob.name!r} was deleted, or is in no scene yet")
-    wanted = " or ".join(types).lower().replace("font", "text")
-    require(ob.type in types, f"must be a {wanted} object", ob.type.lower())
+    wanted, got = (text.lower().replace("font", "text") for text in (" or ".join(types), ob.type))
+    require(ob.type in types, f"must be a {wanted} object", got)
 
 
 def chosen_kinds(p):
