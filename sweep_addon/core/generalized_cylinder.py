@@ -14,6 +14,7 @@ from .along import Along, tapers, tips
 from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour, Fit, Section, fitted
 from .domes import domes_of, with_domes
+from .drawn import affine, drawn
 from .enclosing import enclosing, halfway
 from .ends import End, Flat, Round, Taper
 from .frames import Frame, Frames, RotationMinimizing, axes
@@ -25,7 +26,7 @@ from .sampling import Count, Sampling, Stations, Tolerance, place
 from .steps import mitred
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
-from .vectors import dot, product
+from .vectors import dot
 from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
@@ -121,8 +122,9 @@ class GeneralizedCylinder:
         ((160, 3), 'float64', 0)
         """
         swept = self.swept()
-        vertices = drawn(swept.rings, swept.shape, swept.tips, dtype)
-        return Mesh(vertices, swept.chart.grid.topology(), swept.chart, swept.told)
+        grid = swept.chart.grid
+        vertices = drawn(grid, affine(swept.shape), swept.rings, dtype)
+        return Mesh(vertices, grid.topology(), swept.chart, swept.told)
 
     def swept(self):
         """All that the mesh is drawn from: a `Swept`."""
@@ -300,15 +302,3 @@ def mirror(section):
     """The section seen in a mirror along y, its area on the left again."""
     flipped = replace(section, points=section.points * (-1, 1))
     return flipped.reversed(np.full(len(section.offsets) - 1, True))
-
-
-def drawn(rings, section, tips, dtype):
-    """The vertices, column by column, tips last: one matrix product of the section with the axes of the stations."""
-    whole = rings[:, ~tips] if tips.any() else rings
-    weights = np.column_stack((np.ones(len(section)), section)).astype(dtype, order="C")
-    ringed = len(section) * whole.shape[1]
-    vertices = np.empty((ringed + np.count_nonzero(tips), 3), dtype)
-    axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
-    product(weights, axes, vertices[:ringed].reshape(len(section), -1))
-    vertices[ringed:] = rings[0, tips]
-    return vertices

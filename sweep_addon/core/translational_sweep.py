@@ -13,12 +13,12 @@ from . import caps
 from .chart import Chart, Texture, lengths_around
 from .contours import Contour, Fit, Rectangle, fitted
 from .draft import ALIKE, drafted, mitres, reachable
+from .drawn import affine, drawn
 from .ends import Cap, Flat
 from .frames import Frames
 from .grid import Grid
 from .mesh import Mesh, require_few
 from .parameters import Array, ShapeError, angle, count, declared, length, parameter, require
-from .placed import placed
 from .wording import shown
 
 ATTRIBUTES = "UVs and Attributes"
@@ -131,7 +131,7 @@ class TranslationalSweep:
         flat = tuple(drafted(section, moves, abs(height)).points for height in heights[[0, -1]])
         around = lengths_around(section, np.ones(2))
         chart = Chart(grid, s / s[-1], s, s[-1], around, flat, self.texture, self.attributes)
-        return Mesh(placed(grid, *self.laid(section, moves, heights), dtype), grid.topology(), chart)
+        return Mesh(drawn(grid, *self.laid(section, moves, heights), dtype), grid.topology(), chart)
 
     def section(self):
         """The section of the contour as its reference point is at the origin."""
@@ -188,7 +188,7 @@ class TranslationalSweep:
         axes = np.zeros((3, len(heights), 3))
         axes[0] = heights[:, None] * (np.array(self.direction) / self.direction[2])
         axes[1, :, 0] = axes[2, :, 1] = 1.0
-        weights = np.column_stack((np.ones(len(section.points)), section.points))
+        weights = affine(section.points)
         if not moves.any():
             return weights, axes
         return np.column_stack((weights, moves)), np.concatenate((axes, axes[1:] * np.abs(heights)[:, None]))

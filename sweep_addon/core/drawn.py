@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The vertices of a sweep, in the order of its grid."""
+
+import numpy as np
+
+from .vectors import product
+
+
+def drawn(grid, weights, rings, dtype):
+    """The vertices, column by column, tips last: one matrix product of the section with the rings.
+
+    Parameters
+    ----------
+    grid : Grid
+    weights : (m, k) float array
+        What each point of the section is made of: 1 and its coordinates, see `affine`, or more.
+    rings : (k, n, 3) float array
+        What has these weights at each station: the place of the section's origin, its axes, or more.
+    dtype : numpy dtype
+
+    Returns
+    -------
+    (v, 3) array
+    """
+    whole = rings[:, grid.whole] if grid.tips else rings
+    ringed = len(weights) * whole.shape[1]
+    vertices = np.empty((ringed + len(grid.tips), 3), dtype)
+    axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
+    product(weights.astype(dtype, order="C"), axes, vertices[:ringed].reshape(len(weights), -1))
+    vertices[ringed:] = rings[0, list(grid.tips)]
+    return vertices
+
+
+def affine(points):
+    """The weights of points that a place and two axes carry: (m, 3) float array of 1, x and y."""
+    return np.column_stack((np.ones(len(points)), points))
