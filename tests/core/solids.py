@@ -42,6 +42,25 @@ GLYPHS = {  # outline, and the holes of each of its islands
     "L": (Outline(LETTER_L), (0,)),
 }
 
+TEAPOT_INNER = [  # the handle of Newell's teapot, 1975: the inner and the outer edge of its patches in their plane
+    (-1.6, 0, 2.025),
+    (-2.3, 0, 2.025),
+    (-2.7, 0, 2.025),
+    (-2.7, 0, 1.8),
+    (-2.7, 0, 1.575),
+    (-2.5, 0, 1.125),
+    (-2, 0, 0.9),
+]
+TEAPOT_OUTER = [
+    (-1.5, 0, 2.25),
+    (-2.5, 0, 2.25),
+    (-3, 0, 2.25),
+    (-3, 0, 1.8),
+    (-3, 0, 1.35),
+    (-2.65, 0, 0.9375),
+    (-1.9, 0, 0.6),
+]
+
 
 def assert_solid(mesh, euler, boundary=0):
     """A mesh with so many boundary edges and this Euler characteristic, and nothing else that a solid must not have."""

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chart of a solid whose rings lean: each of their vertices has a place of its own along the axis."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .chart import Chart, Texture
+from .digest import checksum
+
+
+@dataclass(frozen=True, eq=False)
+class Leaning(Chart):
+    """Where on such a solid its vertices and corners lie.
+
+    Parameters
+    ----------
+    places : (m, n) float array
+        The arc length of each column at each ring, in metres, of which ``s`` holds the means.
+    parameters : (m, n) float array
+        The trajectory's parameter there.
+    """
+
+    places: np.ndarray = None
+    parameters: np.ndarray = None
+
+    @property
+    def keys(self):
+        """The texts of a chart, which here hang on all places."""
+        texture, along, across = super().keys
+        own = checksum(self.places, self.parameters)
+        return texture and texture + own, along and along + own, across
+
+    def uv(self, dtype=np.float64, empty=np.empty):
+        """Texture coordinates of each corner, along the trajectory and round the contour: (c, 2), or None for none."""
+        if self.texture is Texture.NONE:
+            return None
+        _, _, left, right = self.strip()
+        along = self.places
+        if self.texture is Texture.UNIT:
+            along = (along - along.min()) / np.ptp(along)
+        ahead = along[self.grid.following]
+        sides = np.empty((len(along), self.rings - 1, 4, 2), dtype)
+        sides[..., 0] = np.stack((along[:, :-1], ahead[:, :-1], ahead[:, 1:], along[:, 1:]), axis=2)
+        sides[..., 1] = np.stack((left, right, right, left), axis=1)[:, None]
+        parts = [sides.ravel(), *(cap.ravel() for cap in self.cap_uv(dtype))]
+        uv = empty(sum(part.size for part in parts), dtype)
+        return np.concatenate(parts, out=uv).reshape(-1, 2)
+
+    def along(self, dtype=np.float64):
+        """Values at each vertex that depend on its place along the axis: u and arc_length."""
+        if not self.named:
+            return {}
+        return {"u": self.parameters.ravel().astype(dtype), "arc_length": self.places.ravel().astype(dtype)}

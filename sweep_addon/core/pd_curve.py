@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The PD curve: six components (px, py, pz, dx, dy, dz), position and direction, of one parametric cubic."""
+
+import numpy as np
+
+from .cubics import Basis
+from .directions import Cubic
+from .parameters import Array, declared, parameter
+from .trajectories import Bezier
+
+DEFAULT = ((0, 0, 0, 1, 0, 0), (0, 0, 0.5, 1, 0, 0), (0, 0.5, 1, 0, 0, 1), (0, 1, 1, 0, 0, 1))
+
+
+@declared
+class PDCurve:
+    """Position and direction as one parametric cubic, (p(t), d(t))
+
+    Source
+    ------
+    The lecture's "Constant cross-section objects with PD curves": "a six-component curve, usually a parametric cubic".
+
+    Examples
+    --------
+    A straight way, on which the direction turns by a right angle and begins and ends to do so evenly:
+
+    >>> from sweep_addon.core.pd_curve_sweep import PDCurveSweep
+    >>> curve = PDCurve(
+    ...     [(0, 0, 0, 1, 0, 0), (0, 0, 2, 0, 1, 0), (0, 0, 2, 0, 1, 0), (0, 0, 2, -1, 0, 0)], basis="hermite"
+    ... )
+    >>> curve.evaluate([0.0, 1.0]).tolist()
+    [[0.0, 0.0, 0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0, 1.0, 0.0]]
+    >>> solid = PDCurveSweep(trajectory=curve.position, direction=curve.direction)
+    >>> len(solid.mesh().boundary_edges())
+    0
+    """
+
+    rows: Array = parameter(DEFAULT, "Control values of px, py, pz in metres, and dx, dy, dz", columns=6, most=200_000)
+    basis: Basis = parameter(Basis.BEZIER, "What the control values are")
+
+    def check(self):
+        """Refuse a number of rows that makes no segments, and positions that are no trajectory."""
+        self.basis.require_segments(len(self.rows), "rows")
+
+    @property
+    def position(self):
+        """The trajectory p(t): a `Bezier`, whose parameter counts the segments."""
+        return Bezier(chain(self.basis.segments(self.rows[:, :3])))
+
+    @property
+    def direction(self):
+        """The direction d(t): a `Cubic`."""
+        return Cubic(chain(self.basis.segments(self.rows[:, 3:])))
+
+    def evaluate(self, t):
+        """Points of the curve: t (n,), which counts segments, to (n, 6) float array, positions in metres."""
+        position, direction = self.position, self.direction
+        return np.concatenate((position.evaluate(t), direction.vectors(position, t)), axis=1)
+
+
+def chain(segments):
+    """Knot, handle, handle, knot, and so on, from the Bezier points of segments that follow each other: (n, c)."""
+    return np.concatenate((segments[:, :3].reshape(-1, segments.shape[2]), segments[-1:, 3]))

@@ -1,0 +1,260 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The PD curve sweep: a contour along a curve of position and direction, a constant cross-section solid."""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from . import caps
+from .bending import Bending
+from .cells import WIDEST_TURN
+from .chart import Chart, Texture, lengths_around
+from .contours import Contour, Fit, Rectangle
+from .directions import Cubic, Direction
+from .drawn import affine, drawn
+from .frames import Frames, turn
+from .generalized_cylinder import ATTRIBUTES, mirror, running_backward, section_of
+from .grid import Grid
+from .leaning import Leaning
+from .limits import Flat, Limit, Open, Plane
+from .mesh import Mesh, require_few
+from .parameters import ShapeError, at, declared, parameter, require
+from .sampling import Count, Sampling, Tolerance, place
+from .trajectories import Bezier, Trajectory
+from .trajectories.arc_length import arc_length
+from .trimming import cuts, limited, ranged
+
+SHORTEST = 1e-9  # of the axis, between two planes
+
+
+@declared
+class PDCurveSweep:
+    """A contour along a curve of position and direction, its cross-section constant, cut off by planes
+
+    The trajectory is the position p(t) of the PD curve, the direction its d(t). At each place e1 is the unit tangent,
+    e2 lies in the plane of the tangent and d, across the tangent and on the side of d, and e3 is across both; the
+    contour's own x and y axes lie along e2 and e3. The trajectory must be smooth. What a Blender curve itself says of
+    radius does not count, and of tilt only where the direction is ``tilt``.
+
+    Source
+    ------
+    The lecture's "Constant cross-section objects with PD curves".
+
+    Examples
+    --------
+    A straight solid between two planes has the volume of its cross-section times the length between them along the axis
+    through its centroid.
+
+    >>> from sweep_addon.core.directions import Arrows
+    >>> from sweep_addon.core.trajectories import Line
+    >>> planes = Plane((0, 0, 0.5), (1, 0, 2)), Plane((0, 0, 3), (-1, 2, 3))
+    >>> mesh = PDCurveSweep(Rectangle(0.4, 0.2), Line(end=(0, 0, 4)), Arrows(), *planes).mesh()
+    >>> round(mesh.volume() / (0.4 * 0.2 * 2.5), 12), len(mesh.boundary_edges()), mesh.euler_characteristic()
+    (1.0, 0, 2)
+    """
+
+    contour: Contour = parameter(Rectangle(0.3, 0.1), "What moves: a closed outline", accepts=("CURVE", "FONT"))
+    trajectory: Trajectory = parameter(Bezier(), "The position p(t): the path of the contour", accepts=("CURVE",))
+    direction: Direction = parameter(Cubic(), "The direction d(t), to which the contour's x axis points")
+    start: Limit = parameter(Flat(), "What limits the solid at the start", group="Limits")
+    end: Limit = parameter(Flat(), "What limits the solid at the end", group="Limits")
+    samples: Sampling = parameter(Tolerance(), "How many contours stand along the trajectory")
+    texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
+    attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
+
+    def mesh(self, dtype=np.float64):
+        """The surface as a mesh: closed, manifold and outward unless an end is open.
+
+        Parameters
+        ----------
+        dtype : numpy dtype
+            Of the vertices, which are in metres; single precision is what Blender keeps.
+
+        Returns
+        -------
+        Mesh
+
+        Raises
+        ------
+        ShapeError
+            Where the trajectory has a corner, where the direction is not defined and that is to be refused, where a
+            plane does not cut the line of every point of the contour once, where planes cross within the solid, or
+            where there would be too many vertices.
+
+        Examples
+        --------
+        >>> mesh = PDCurveSweep(samples=Count(10)).mesh()
+        >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
+        ((40, 3), 'float64', 0)
+        """
+        section, bending, stations, told = self.laid_out()
+        limits = (Flat(), Flat()) if stations.closed else (self.start, self.end)
+        heights, leaning, axis = self.rings(section, bending, stations, limits)
+        require_few(heights.size, "samples")
+        outlines, edges = [], []
+        for limit, side in zip(limits, (0, -1), strict=True):
+            outline, edge = section, None
+            if isinstance(limit, Plane):
+                outline, edge = limited(limit, bending, section, heights[:, side], axis, side)
+            outlines.append(outline)
+            edges.append(edge)
+        grid = Grid(
+            rings=heights.shape[1],
+            tips=(),
+            closed=stations.closed,
+            creases=(),
+            offsets=tuple(section.offsets.tolist()),
+            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
+            caps=tuple(
+                None if stations.closed or isinstance(limit, Open) else caps.faces(outline)
+                for limit, outline in zip(limits, outlines, strict=True)
+            ),
+        )
+        rings = np.stack((axis.points, axis.e2, axis.e3))
+        vertices = drawn(grid, affine(section.points), rings, dtype)
+        parameters = lean(vertices.reshape(*heights.shape, 3), bending, section, axis.u, heights, leaning, edges)
+        flat = tuple(outline.points for outline in outlines)
+        around = lengths_around(section, np.ones(2))
+        known = (grid, axis.u, heights.mean(axis=0), stations.total, around, flat, self.texture, self.attributes)
+        chart = Leaning(*known, heights, parameters) if leaning.any() else Chart(*known)
+        return Mesh(vertices, grid.topology(), chart, told + axis.told)
+
+    def laid_out(self):
+        """The section, the bending of the axis, its stations, and what is to be told.
+
+        Where the contour is beyond the centre of curvature everywhere, and so runs backward, it is seen in a mirror.
+        """
+        section, told = section_of(self.contour, Fit.INSCRIBED), ()
+        with at("trajectory"):
+            total = arc_length(self.trajectory).total
+            corners = self.trajectory.corners()
+            if len(corners):
+                raise ShapeError(f"must be smooth, or its corners round, got a corner at u = {corners[0]:.6g}")
+        if self.trajectory.closed and any(isinstance(limit, Plane) for limit in (self.start, self.end)):
+            told = ("Limits: a closed trajectory has no ends, so no plane cuts anything off.",)
+        bending = Bending(self.trajectory, self.direction, total)
+        reach = float(np.linalg.norm(section.points, axis=1).max())
+        with at("direction"):
+            stations = stand(self.samples, self.trajectory, self.direction, reach)
+            axis = bending.placed(stations)
+        rings = np.stack((axis.points, axis.e2, axis.e3))
+        backward, warned = running_backward(stations, rings, section.centroid, False)
+        if backward:
+            section, bending = mirror(section), replace(bending, mirrored=True)
+        return section, bending, stations, told + warned
+
+    def rings(self, section, bending, stations, limits):
+        """The heights of all points of each ring, (m, n), which of them lean, (n,) bool, and the axis there."""
+        lines = []
+        for key, limit, at_end in zip(("start", "end"), limits, (False, True), strict=True):
+            flat = np.full(len(section.points), bending.total if at_end else 0.0)
+            with at(key):
+                lines.append(cuts(limit, bending, section, at_end) if isinstance(limit, Plane) else flat)
+        if not any(isinstance(limit, Plane) for limit in limits):
+            shape = len(section.points), len(stations.s)
+            return np.broadcast_to(stations.s, shape), np.full(len(stations.s), False), bending.placed(stations)
+        left = float((lines[1] - lines[0]).min())
+        if left <= SHORTEST * bending.total:
+            raise ShapeError(f"must leave something behind the start everywhere, got {left:.6g} m of it", "end")
+        heights, leaning = ranged(stations.s, bending.total, *lines)
+        return heights, leaning, bending.axis(heights.mean(axis=0))
+
+    def bend(self, points):
+        """Points of a straight model where the curved axis takes them: a nonlinear transformation of the model.
+
+        Parameters
+        ----------
+        points : (n, 3) float array
+            In metres: x along e2, y along e3 and z along the axis, from 0 at its start.
+
+        Returns
+        -------
+        (n, 3) float array
+            In metres. Before the start and after the end of the trajectory the axis goes on straight; a closed one
+            begins again.
+
+        Raises
+        ------
+        ShapeError
+            Where points are not finite, and where the shape itself would be refused.
+
+        Examples
+        --------
+        A straight solid that two planes have cut off, bent to a right angle:
+
+        >>> from sweep_addon.core.directions import Arrows
+        >>> from sweep_addon.core.trajectories import Arc, Line
+        >>> oblique = Plane((0, 0, 1.5), (1, 0, 1))
+        >>> straight = PDCurveSweep(trajectory=Line(end=(0, 0, 2)), direction=Arrows(), end=oblique)
+        >>> elbow = PDCurveSweep(trajectory=Arc(4 / np.pi, np.pi / 2), direction=Arrows([(0, 0, 0, 1)]))
+        >>> elbow.bend(straight.mesh().vertices).shape, elbow.bend([(0, 0, 2)]).round(6).tolist()
+        ((8, 3), [[0.0, 1.27324, 0.0]])
+        """
+        points = np.asarray(points, dtype=np.float64)
+        require(points.ndim == 2 and points.shape[1] == 3, "must be (n, 3)", points.shape, "points")
+        require(np.isfinite(points).all(), "must be finite", points[~np.isfinite(points)][:1].tolist(), "points")
+        _, bending, _, _ = self.laid_out()
+        return replace(bending, mirrored=False).bend(points)
+
+    def frames(self, most=100):
+        """The frames and contours at places spread evenly along the trajectory, whatever limits the solid.
+
+        Parameters
+        ----------
+        most : int
+            Of places; where the trajectory is short they are no closer than the contour is large.
+
+        Returns
+        -------
+        Frames
+
+        Examples
+        --------
+        >>> from sweep_addon.core.directions import Arrows
+        >>> from sweep_addon.core.trajectories import Line
+        >>> frames = PDCurveSweep(Rectangle(1, 1), Line(end=(0, 0, 2)), Arrows()).frames()
+        >>> frames.points[:, 2].round(12).tolist(), frames.e2[0].tolist(), frames.contours[0].shape
+        ([0.0, 1.0, 2.0], [1.0, 0.0, 0.0], (3, 4, 3))
+        """
+        require(most >= 2, "must be at least 2", most, "most")
+        section, bending, _, _ = self.laid_out()
+        steps = bending.total / float(np.linalg.norm(section.points, axis=1).max())
+        stations = place(self.trajectory, Count(int(np.clip(steps + (not self.trajectory.closed), 2, most))))
+        axis = bending.placed(stations)
+        rings = np.stack((axis.points, axis.e2, axis.e3))
+        loops = tuple(np.split(np.einsum("mk,kni->nmi", affine(section.points), rings), section.offsets[1:-1], axis=1))
+        return Frames(stations.u, stations.s, axis.points, axis.e1, axis.e2, axis.e3, loops)
+
+
+@lru_cache(maxsize=16)
+def stand(samples, trajectory, direction, reach):
+    """The stations of a sweep, close enough for the turning of its frame too; the same for contours of one reach."""
+
+    def steps(s, u, chord):
+        rate = np.gradient(np.interp(s, *turn(direction, trajectory)), s)
+        return np.maximum(np.sqrt(reach * rate**2 / (8 * chord)), np.abs(rate) / WIDEST_TURN)
+
+    return place(trajectory, samples, (), steps)
+
+
+def lean(vertices, bending, section, u, heights, leaning, edges):
+    """Put vertices, (m, n, 3), of rings that lean, and of those that have edges known, where they belong.
+
+    Returns
+    -------
+    (m, n) float array
+        The trajectory's parameter at each vertex.
+    """
+    parameters = np.broadcast_to(u, heights.shape)
+    if leaning.any():
+        parameters = parameters.copy()
+        own = bending.axis(heights[:, leaning].ravel())
+        x, y = np.repeat(section.points, np.count_nonzero(leaning), axis=0).T[..., None]
+        vertices[:, leaning] = (own.points + x * own.e2 + y * own.e3).reshape(len(heights), -1, 3)
+        parameters[:, leaning] = own.u.reshape(len(heights), -1)
+    for side, edge in zip((0, -1), edges, strict=True):
+        if edge is not None:
+            vertices[:, side] = edge
+    return parameters

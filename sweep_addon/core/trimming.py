@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Trimming: where a limiting plane cuts the lines that the points of a contour draw, and the rings up to there.
+
+A ring whose points stand at one height of the axis is the contour itself. Towards an oblique plane rings lean, from the
+contour to the cut, so that no ring is cut in two, and all faces keep four corners.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .parameters import ShapeError, require
+from .vectors import unit
+
+PLACES = 257  # at least, where it is looked at on which side of the plane the lines are
+ROUNDING = 16 * np.finfo(float).eps  # of the coordinates
+STEPS = 100  # of the search for a cut; a few are enough where the lines are smooth
+FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
+ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
+CLOSEST = 1e-3  # of the mean step: a ring nearer to another would make slivers
+ONCE = "must cut the line of every point of the contour once"
+FLAT = 1e-9  # the sine of the angle between a plane and the axis beyond its end: it is never cut there
+
+
+def cuts(plane, bending, section, at_end):
+    """Where a plane cuts the line of each point of a contour, coming from an end of the axis.
+
+    Parameters
+    ----------
+    plane : Plane
+    bending : Bending
+    section : Section
+    at_end : bool
+        Whether that is the axis's end, and not its start.
+
+    Returns
+    -------
+    (m,) float array
+        Heights along the straight axis in metres; below 0 and above the total where the solid goes on straight.
+
+    Raises
+    ------
+    ShapeError
+        Where one of the lines is not cut, or is cut again before the plane has cut all of them.
+    """
+    z, sides = looked_at(plane, bending, section, at_end)
+    above = sides >= 0
+    change = above[:, 1:] != above[:, :-1]
+    missed = ~change.any(axis=1)
+    if missed.any():
+        raise ShapeError(f"{ONCE}, got that of point {np.argmax(missed) + 1} not cut")
+    first = change.argmax(axis=1)
+    again = change[:, : first.max() + 1].sum(axis=1) > 1
+    again |= above[:, 0] != above[0, 0]
+    if again.any():
+        raise ShapeError(f"{ONCE}, got that of point {np.argmax(again) + 1} cut again before all others are")
+    found = crossings(plane, bending, section, z[first], z[first + 1])
+    reach = bending.total + float(np.abs(section.points).max())
+    farthest = float(np.abs(found - np.clip(found, 0.0, bending.total)).max())
+    require(farthest <= FARTHEST * reach, f"must cut within {FARTHEST * reach:.6g} m of the trajectory's end", farthest)
+    return found
+
+
+def looked_at(plane, bending, section, at_end):
+    """Heights from beyond an end of the axis to its other end, (k,), and how far each line is above the plane, (m, k).
+
+    The first height is beyond all cuts that there are beyond the end.
+    """
+    z = np.linspace(0.0, bending.total, PLACES)[:: -1 if at_end else 1]
+    axis = bending.axis(z)
+    across = plane.across
+    sides = plane.heights(axis.points) + section.points @ np.stack((axis.e2 @ across, axis.e3 @ across))
+    outward = float(axis.e1[0] @ across) * (1 if at_end else -1)
+    if abs(outward) > FLAT:
+        far = max(float((-sides[:, 0] / outward).max()), 0.0) + bending.total
+        z = np.insert(z, 0, z[0] + (far if at_end else -far))
+        sides = np.column_stack((sides[:, 0] + far * outward, sides))
+    return z, sides
+
+
+def crossings(plane, bending, section, low, high):
+    """Heights between pairs of them, (m,) and (m,), where the line of each point crosses the plane.
+
+    Source: the Illinois method, regula falsi that halves the value kept at an end twice.
+    """
+
+    def above(z):
+        return plane.heights(bending.bend(np.column_stack((section.points, z))))
+
+    at_low, at_high = above(low), above(high)
+    small = ROUNDING * (np.abs(plane.point).max() + bending.total + np.abs(section.points).max())
+    z = np.where(np.abs(at_low) < np.abs(at_high), low, high)
+    for _ in range(STEPS):
+        span = at_high - at_low
+        z = np.where(span == 0, z, (low * at_high - high * at_low) / np.where(span == 0, 1.0, span))
+        here = above(z)
+        if ((np.abs(here) <= small) | (np.abs(z - high) <= small)).all():
+            break
+        crossed = np.sign(here) != np.sign(at_high)
+        low, at_low = np.where(crossed, high, low), np.where(crossed, at_high, at_low / 2)
+        high, at_high = z, here
+    return z
+
+
+def ranged(stations, total, starts, ends):
+    """The heights of the points of each ring, and which rings lean.
+
+    Parameters
+    ----------
+    stations : (n,) float array
+        Arc lengths where contours stand along the axis, both ends included.
+    total : float
+    starts, ends : (m,) float array
+        Where the line of each point begins and ends.
+
+    Returns
+    -------
+    heights : (m, k) float array
+    leaning : (k,) bool array
+        Rings whose heights differ.
+    """
+    low, high = starts.min(), ends.max()
+    inner = stations[(stations > low) & (stations < high)]
+    close = CLOSEST * total / len(stations)
+    upright = np.concatenate(([low], inner[(inner > low + close) & (inner < high - close)], [high]))
+    first, last = starts.max() + ROOM * np.ptp(starts), ends.min() - ROOM * np.ptp(ends)
+    kept = upright[(upright >= first) & (upright <= last)]
+    if not len(kept):
+        share = (upright - low) / (high - low)
+        heights = starts[:, None] + share * (ends - starts)[:, None]
+        return heights, np.full(len(upright), True)
+    heights = np.tile(upright, (len(starts), 1))
+    before, after = upright < kept[0], upright > kept[-1]
+    squeezed = (kept[0] - starts) / (kept[0] - low) if before.any() else 1.0
+    heights[:, before] = kept[0] - np.outer(squeezed, kept[0] - upright[before])
+    squeezed = (ends - kept[-1]) / (high - kept[-1]) if after.any() else 1.0
+    heights[:, after] = kept[-1] + np.outer(squeezed, upright[after] - kept[-1])
+    return heights, before | after
+
+
+def limited(plane, bending, section, heights, axis, side):
+    """The section in a limiting plane.
+
+    Parameters
+    ----------
+    plane : Plane
+    bending : Bending
+    section : Section
+    heights : (m,) float array
+        Where the lines of its points meet the plane.
+    axis : Axis
+        At the rings, of which that in the plane is the first or the last: ``side`` 0 or -1.
+
+    Returns
+    -------
+    outline : Section
+        Seen against the direction of the axis, in metres.
+    edge : (m, 3) float array
+        Its points, in the plane to the last bit that rounding leaves.
+    """
+    edge = bending.bend(np.column_stack((section.points, heights)))
+    edge -= plane.heights(edge)[:, None] * plane.across
+    e2, e3, across = axis.e2[side], axis.e3[side], plane.across
+    x = unit(e2 - (e2 @ across) * across)
+    y = np.cross(across, x)
+    y *= np.sign(y @ e3)
+    return replace(section, points=(edge - axis.points[side]) @ np.stack((x, y), axis=1)), edge
