@@ -6,12 +6,14 @@ import numpy as np
 
 from .contours.crossing import crossings
 from .contours.fit import Fit
+from .drawn import affine
 from .frames import axes
 from .parameters import require, spelled
 from .sampling import stations as stations_at
 from .steps import STEEPEST, ahead, directions, handed, require_short, spun, to_both
-from .vectors import dot, norms
+from .vectors import dot
 
+AT_HAND = 2**14  # points of a block
 RESERVE = 1.05  # a chord is farthest from its curve near the middle of the step, where it is measured
 
 
@@ -59,14 +61,11 @@ def enclosing(stations, rings, true, section, scales, turn):
     pointed = (scales[starts] == 0) | (scales[stations.onward] == 0)
     moved = rings + halves(stations, np.where(pointed[:, None], 0.0, true - middle), turn)
 
-    points = np.column_stack((np.ones(len(section.points)), section.points))
     after = later(stations, moved, turn)
     step, middle = after - moved[:, starts], (moved[:, starts] + after) / 2
-    columns, legs = summed(points, step), directions(stations)
-    chord = farthest(summed(points, true - middle), columns, legs)
-    fold = farthest(summed(points[section.following] - points, step), columns, legs) / 4
-    apart = np.where(pointed, 0.0, (chord + fold) / require_short(stations, Fit.CIRCUMSCRIBED))
-    apart = np.maximum(to_both(stations, apart, apart, np.maximum), norms(summed(points, moved - rings)).max(axis=0))
+    apart = missed(section, true - middle, step, directions(stations)) / require_short(stations, Fit.CIRCUMSCRIBED)
+    apart = np.where(pointed, 0.0, apart)
+    apart = np.maximum(to_both(stations, apart, apart, np.maximum), farthest_moved(section, moved - rings))
     clearance = RESERVE * apart / np.where(scales > 0, scales, np.inf)
     vectors = out(section)
     require_room(section, vectors, clearance.max())
@@ -102,21 +101,64 @@ def halves(stations, short, turn):
     return move - np.einsum("aij,ij->ai", move, stations.tangent)[..., None] * stations.tangent
 
 
+def missed(section, short, step, legs):
+    """How far the mesh misses the true contour in the middle of each step: (n,) lengths.
+
+    Parameters
+    ----------
+    section : Section
+    short, step : (3, n, 3) float array
+        What the mesh's contour there lacks of the true place and axes, and by how much these change in the step.
+    legs : (n, 3) float array
+        Unit vectors along the steps.
+
+    A face between two columns bends by a quarter of the difference of both.
+    """
+    points, lengths = affine(section.points), np.empty(len(legs))
+    edges = points[section.following] - points
+    for some in blocks(len(points), len(legs)):
+        columns, leg = summed(points, step[:, some]), legs[some].T
+        chord = farthest(summed(points, short[:, some]), columns, leg)
+        lengths[some] = chord + farthest(summed(edges, step[:, some]), columns, leg) / 4
+    return lengths
+
+
+def farthest_moved(section, moves):
+    """How far the farthest point of a section moves with its place and axes, (3, n, 3): (n,) lengths."""
+    points, lengths = affine(section.points), np.empty(moves.shape[1])
+    for some in blocks(len(points), len(lengths)):
+        vectors = summed(points, moves[:, some])
+        lengths[some] = np.sqrt(inner(vectors, vectors).max(axis=0))
+    return lengths
+
+
+def blocks(points, steps):
+    """Slices of so few steps that what is computed of all points there stays at the processor's hand."""
+    width = max(AT_HAND // points, 1)
+    return (slice(start, start + width) for start in range(0, steps, width))
+
+
 def summed(weights, vectors):
-    """The sums of vectors (3, n, 3) with each of the weights (m, 3): (m, n, 3)."""
-    return (weights @ vectors.reshape(3, -1)).reshape(len(weights), -1, 3)
+    """The sums of vectors (3, n, 3) with each of the weights (m, 3), the axes of space first: (3, m, n)."""
+    return weights @ vectors.transpose(2, 0, 1)
 
 
 def farthest(vectors, columns, legs):
-    """The longest of vectors (m, n, 3) seen along the columns, on planes across the legs (n, 3): (n,) lengths.
+    """The longest of vectors (3, m, n) seen along the columns, on planes across the legs (3, n): (n,) lengths.
 
     What a point lacks along its column is no lack: the mesh goes on there.
     """
-    forward = np.einsum("mij,ij->mi", columns, legs)
-    least = STEEPEST * norms(columns)
+    forward = inner(columns, legs[:, None])
+    least = STEEPEST * np.sqrt(inner(columns, columns))
     forward = np.where(np.abs(forward) < least, least, forward)  # before a mitre that is longer, a step runs back
-    ahead = np.einsum("mij,ij->mi", vectors, legs) / np.where(forward, forward, 1.0)
-    return norms(vectors - ahead[..., None] * columns).max(axis=0)
+    ahead = inner(vectors, legs[:, None]) / np.where(forward, forward, 1.0)
+    aside = vectors - ahead * columns
+    return np.sqrt(np.minimum(inner(aside, aside), inner(vectors, vectors)).max(axis=0))
+
+
+def inner(a, b):
+    """The products of vectors with one another, (3, ...) twice to (...)."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def out(section):

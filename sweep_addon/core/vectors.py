@@ -4,7 +4,7 @@
 
 import numpy as np
 
-ONE_THREAD = 2**18  # elements of a product, below what OpenBLAS shares among threads
+ONE_THREAD = 2**17  # multiplications of a product; OpenBLAS shares more than 2**18 among threads
 
 
 def dot(a, b):
@@ -24,11 +24,11 @@ def unit(vectors):
 
 
 def product(left, right, out):
-    """The matrix product of a (m, k) and a (k, n) array, k small,, written into out, (m, n).
+    """The matrix product of a (m, k) and a (k, n) array, k small, written into out, (m, n).
 
     It is made in blocks so small that BLAS computes each in one thread: a product with so short a sum is bound by
     memory, and where another program uses the processors, waiting for a second thread takes ten times as long.
     """
-    width = max(ONE_THREAD // len(left), 1)
+    width = max(ONE_THREAD // left.size, 1)
     for start in range(0, right.shape[1], width):
         np.matmul(left, right[:, start : start + width], out=out[:, start : start + width])
