@@ -10,14 +10,14 @@ import json
 import zlib
 from dataclasses import replace
 from enum import EnumMeta
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import bpy
 import numpy as np
 
 from ..core.description import summary
 from ..core.forms import plain
-from ..core.parameters import ShapeError, at, inside, parameters, require, spelled
+from ..core.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
@@ -91,6 +91,10 @@ def stored(p, value):
 
 def meant(p, held):
     """What a property holds, as a job would write it."""
+    if p.kinds and isinstance(held, tuple):
+        kind, *values = held
+        kind = chosen_kinds(p)[kind]
+        return {"kind": spelled(kind)} | {q.name: meant(q, v) for q, v in zip(inside(p, kind), values, strict=True)}
     if p.is_list:
         return listed(held)
     if isinstance(p.type, EnumMeta):
@@ -118,35 +122,46 @@ def decimal(single, *declared):
 
 def read(group, shape, resolve=None):
     """The shape that a group or an operator describes; resolve turns an object into a value."""
-    return shape(**table(group, parameters(shape), "", resolve))
+    return shape(**{p.name: value(group, p, resolve) for p in parameters(shape)})
 
 
-def table(group, declared, prefix, resolve):
-    """The plain table of some parameters, as a job would hold it."""
-    held = {}
-    for p in declared:
-        name = prefix + p.name
-        value = getattr(group, name)
-        kinds = chosen_kinds(p)
-        if p.kinds and value in kinds:
-            inner = table(group, inside(p, kinds[value]), f"{name}_{value.lower()}_", resolve)
-            held[p.name] = {"kind": spelled(kinds[value]), **inner}
-        elif value == "OBJECT" and p.accepts:
-            chosen = getattr(group, f"{name}_object")
-            with at(p.name):
-                require_usable(chosen, p.accepts)
-            held[p.name] = completed(resolve(chosen, p), group, p, name)
-        else:
-            held[p.name] = meant(p, value)
-    return held
+def value(group, p, resolve):
+    """The value of one parameter of a shape."""
+    held = raw(group, p, p.name)
+    if held == "OBJECT" and p.accepts:
+        chosen = getattr(group, f"{p.name}_object")
+        with at(p.name):
+            require_usable(chosen, p.accepts)
+        return completed(resolve(chosen, p), group, p)
+    if not p.kinds:
+        return meant(p, held)
+    with at(p.name):
+        return understood(p, held)
 
 
-def completed(value, group, p, name):
+def raw(group, p, name):
+    """What the property of a parameter holds; of a chosen kind its identifier, and what its own properties hold."""
+    held = getattr(group, name)
+    if isinstance(p.default, tuple):
+        return tuple(held)
+    kind = chosen_kinds(p).get(held) if p.kinds else None
+    if kind is None:
+        return held
+    return held, *(raw(group, q, f"{name}_{held.lower()}_{q.name}") for q in inside(p, kind))
+
+
+@lru_cache(maxsize=256)
+def understood(p, held):
+    """The value of a union: most of a shape's are the same each time it is read, which is twice for each change."""
+    return coerce(p, meant(p, held))
+
+
+def completed(value, group, p):
     """A value read from an object, with what a curve does not say: what becomes of the corners of a polyline."""
     kind = type(value)
-    asked = tuple(q for q in inside(p, kind) if q.splines)
+    asked = [(q, raw(group, q, f"{p.name}_{spelled(kind, '_')}_{q.name}")) for q in inside(p, kind) if q.splines]
     with at(p.name):
-        return replace(value, **table(group, asked, f"{name}_{spelled(kind, '_')}_", None)) if asked else value
+        return replace(value, **{q.name: meant(q, held) for q, held in asked}) if asked else value
 
 
 def require_usable(ob, types):
@@ -159,6 +174,7 @@ def require_usable(ob, types):
     require(ob.type in types, f"must be a {wanted} object", got)
 
 
+@cache
 def chosen_kinds(p):
     """The kinds of a union by the identifiers of their items."""
     return {spelled(kind, "_").upper(): kind for kind in p.kinds}

@@ -243,6 +243,8 @@ def tips(scale_x, scale_y, largest, closed, keys=("scale_x", "scale_y")):
     ShapeError
         Where the contour is a line, changes its side, jumps over zero or is a point along a stretch.
     """
+    if min(scale_x.min(), scale_y.min()) > NOTHING * largest:  # as nearly always
+        return np.full(len(scale_x), False), False
     x, y = (np.where(np.abs(scale) > NOTHING * largest, np.sign(scale), 0.0) for scale in (scale_x, scale_y))
     require(x.any(), "must not be 0 everywhere", 0, "scale_x")
     following = np.roll(x, -1)

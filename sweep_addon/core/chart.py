@@ -4,6 +4,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Chart:
     texture: Texture = Texture.LENGTHS
     named: bool = True
 
-    @property
+    @cached_property
     def keys(self):
         """Three short texts that differ where the texture, and attributes along and across, do; empty for none."""
         along, across = checksum(self.u, self.s), checksum(self.around, *self.ends)

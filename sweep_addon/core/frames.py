@@ -200,9 +200,13 @@ def axes(frame, stations, twist, symmetry=1):
     """
     normals, holonomy = rotation_minimizing(stations)
     angles, told = frame.angles(stations, normals, holonomy, symmetry)
-    e2, corners = rotated(normals, stations.leave, angles + twist), stations.corners
-    e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
-    return e2, np.cross(stations.tangent, e2), told
+    cosine, sine, corners = *(f(angles + twist)[:, None] for f in (np.cos, np.sin)), stations.corners
+    across = binormals(stations)
+    e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
+    if len(corners):
+        e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
+        e3[corners] = np.cross(stations.tangent[corners], e2[corners])
+    return e2, e3, told
 
 
 @lru_cache(maxsize=16)
@@ -256,6 +260,12 @@ def rotation_minimizing(stations):
     start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
     first = signed_angle(reference[:1], start, stations.leave[:1])
     return rotated(reference, stations.leave, first + angle - angle[0]), carried.holonomy
+
+
+@lru_cache(maxsize=16)
+def binormals(stations):
+    """What is across the rotation-minimizing normals and ``stations.leave``: unit vectors, (n, 3)."""
+    return np.cross(stations.leave, rotation_minimizing(stations)[0])
 
 
 def first_normal(tangent):

@@ -11,7 +11,7 @@ is made: whoever asks, the refusal is the same sentence.
 from contextlib import contextmanager, suppress
 from dataclasses import FrozenInstanceError, dataclass, field, fields, replace
 from enum import EnumMeta
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from math import inf
 from numbers import Real
 from types import UnionType
@@ -103,9 +103,9 @@ class Array:
         return repr(self.values.tolist())
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Parameter:
-    """One declared field: its name, type and default, and what its metadata says."""
+    """One declared field: its name, type and default, and what its metadata says. There is one object for each."""
 
     name: str
     type: object
@@ -123,11 +123,11 @@ class Parameter:
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
     group: str = ""  # the sub-panel of the sidebar it is drawn in
 
-    @property
+    @cached_property
     def kinds(self):
         return get_args(self.type) if isinstance(self.type, UnionType) else ()
 
-    @property
+    @cached_property
     def is_list(self):
         return self.type in (Array, tuple[Array, ...])
 
