@@ -142,7 +142,7 @@ def value(group, p, resolve):
 def raw(group, p, name):
     """What the property of a parameter holds; of a chosen kind its identifier, and what its own properties hold."""
     held = getattr(group, name)
-    if isinstance(p.default, tuple):
+    if isinstance(p.default, tuple) and not p.is_list:
         return tuple(held)
     kind = chosen_kinds(p).get(held) if p.kinds else None
     if kind is None:
