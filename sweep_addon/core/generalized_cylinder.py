@@ -12,7 +12,20 @@ import numpy as np
 from . import caps, closing
 from .along import Along, tapers, tips
 from .chart import Chart, Texture, lengths_around
-from .contours import Circle, Contour, Fit, Section, fitted
+from .contours import (
+    Aerofoil,
+    Circle,
+    Contour,
+    Ellipse,
+    Fit,
+    Outline,
+    Rectangle,
+    RegularPolygon,
+    Section,
+    Star,
+    Superellipse,
+    fitted,
+)
 from .domes import domes_of, with_domes
 from .drawn import affine, drawn
 from .enclosing import enclosing, halfway
@@ -31,6 +44,15 @@ from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
+AS_THICK = {  # as the tube of a circle: so that another contour in its place passes between the turns of a helix, too
+    Ellipse: {"radius_x": 0.14, "radius_y": 0.07},
+    Rectangle: {"width": 0.1, "height": 0.2},
+    RegularPolygon: {"radius": 0.1},
+    Star: {"outer": 0.12, "inner": 0.05},
+    Superellipse: {"width": 0.2, "height": 0.15},
+    Aerofoil: {"chord": 0.25},
+    Outline: {"loops": [[(-0.1, -0.1), (0.1, -0.1), (0.1, -0.06), (-0.06, -0.06), (-0.06, 0.1), (-0.1, 0.1)]]},
+}
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
 
 
@@ -83,7 +105,9 @@ class GeneralizedCylinder:
     (0, 2)
     """
 
-    contour: Contour = parameter(Circle(0.1), "What moves: a closed outline", accepts=("CURVE", "FONT"))
+    contour: Contour = parameter(
+        Circle(0.1), "What moves: a closed outline", others=AS_THICK, accepts=("CURVE", "FONT")
+    )
     trajectory: Trajectory = parameter(Helix(), "The path along which it moves", accepts=("CURVE",))
     samples: Sampling = parameter(Tolerance(), "How many contours stand along the trajectory")
     frame: Frame = parameter(RotationMinimizing(), "The axes that carry the contour", group="Frame")

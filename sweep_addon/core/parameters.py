@@ -118,6 +118,7 @@ class Parameter:
     soft_maximum: float | None = None  # where a slider ends; typing may go on to the maximum
     columns: int | None = None  # numbers in a row of an array; None: a row is one number
     most: float = inf  # rows of an array, of all together where there are several
+    others: dict = field(default_factory=dict, hash=False)  # kinds, and defaults of theirs that are others here
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
@@ -205,10 +206,11 @@ def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
     likened = getattr(kind, "like", lambda other: None)
     default = union.default if isinstance(union.default, kind) else likened(union.default)
+    others = union.others.get(kind, {})
     return tuple(
         replace(
             p,
-            default=getattr(default, p.name, p.default),
+            default=coerce(p, others[p.name]) if p.name in others else getattr(default, p.name, p.default),
             unit=p.unit or union.unit,
             doc=union.doc if p.shorthand else p.doc,
         )

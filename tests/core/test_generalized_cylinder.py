@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The generalized cylinder is a solid whatever its parameters, and has the volume that theorems give it."""
 
+from typing import get_args
+
 import numpy as np
 import pytest
 from hypothesis import assume, given
@@ -9,7 +11,7 @@ from hypothesis import strategies as st
 from solids import CENTRELINES, GLYPHS, KNOTS, assert_solid, box, ngon
 
 from sweep_addon.core.cells import bend
-from sweep_addon.core.contours import Circle, Fit, Outline, Rectangle
+from sweep_addon.core.contours import Circle, Contour, Fit, Outline, Rectangle, ScrewThread
 from sweep_addon.core.ends import Flat, Open, Taper
 from sweep_addon.core.expressions import compile
 from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing
@@ -17,6 +19,7 @@ from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.wording import spelled
 
 SIZE = 0.05  # of the contours below, small against the trajectories, so that no bend turns the solid inside out
 LAWS = {  # of scale, and how many points they make on a closed and on an open trajectory, the ends among them
@@ -236,3 +239,14 @@ def test_scale_that_touches_zero_closes_in_one_vertex_there(law):
     zeros = {"abs(1 - 3*t)": [1 / 3], "(1 - 3*t)^2": [1 / 3], "abs(0.37 - t)": [0.37]}.get(law, [1 / 6, 1 / 2, 5 / 6])
     axis = np.hypot(*mesh.vertices[:, :2].T) < 1e-9
     assert np.sort(mesh.vertices[axis, 2]) == pytest.approx(zeros, abs=1e-7)
+
+
+@pytest.mark.parametrize("kind", get_args(Contour), ids=spelled)
+def test_a_contour_chosen_by_its_name_passes_between_the_turns_of_the_default_helix(kind):
+    """Turns of a helix are its pitch times the cosine of its slope apart; a thread has a standard's size instead."""
+    shape = GeneralizedCylinder(contour=spelled(kind))
+    radius, pitch = shape.trajectory.radius, shape.trajectory.pitch
+    apart = pitch * np.cos(np.arctan(pitch / (2 * np.pi * radius)))
+    reach = np.linalg.norm(shape.contour.section().points, axis=1).max()
+    assert reach < apart / 2
+    assert reach > apart / 6 or kind is ScrewThread
