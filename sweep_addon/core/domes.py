@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .cells import WIDEST_TURN
+from .contours import Fit
 from .ends import Round
 from .parameters import at, require
 from .sampling import MOST_STATIONS, Tolerance
-from .vectors import dot
+from .vectors import dot, norms
 
 SEEN = 1e-9  # of the contour's size squared: what the centroid must see of every edge
 
@@ -43,10 +44,13 @@ class Dome:
         radius, height = np.append(1.0, self.radius) * self.reach, np.append(0.0, self.height)
         return np.cumsum(np.hypot(np.diff(radius), np.diff(height)))
 
-    def rings(self, last, outward):
-        """The place, the axes and what else a ring has, (3 or more, k, 3), from those of the trajectory's last."""
+    def rings(self, last, middle, outward):
+        """The place, the axes and what else a ring has, (3 or more, k, 3), from those of the trajectory's last.
+
+        The tip is over the middle of the contour, from where the fit may have moved the last ring.
+        """
         place, axes = last[0], last[1:]
-        over = (1 - self.radius)[:, None] * (self.centre @ axes[:2])
+        over = (1 - self.radius)[:, None] * (middle - place + self.centre @ axes[:2])
         places = place + over + self.height[:, None] * outward
         return np.stack((places, *(self.radius[:, None] * axis for axis in axes)))
 
@@ -54,18 +58,18 @@ class Dome:
 NONE = Dome(np.zeros(0), np.zeros(0), np.zeros(2), 0.0)
 
 
-def domes_of(ends, section, scales, tips, samples):
+def domes_of(ends, body, true, samples, fit):
     """The domes of the ends, without a ring where an end is of another kind or the contour is a point.
 
     Parameters
     ----------
     ends : tuple of two End
-    section : Section
-    scales : (2, 2) float array
-        What stretches the section's axes at the start and at the end.
-    tips : (2,) bool array
-        Whether the contour is a point there.
+    body : Body
+        The contours of the sweep, its domes left out.
+    true : Section
+        The one inscribed in the contour.
     samples : Sampling
+    fit : Fit
 
     Raises
     ------
@@ -73,14 +77,21 @@ def domes_of(ends, section, scales, tips, samples):
         Where the contour has a hole or several outlines, or where its centroid does not see all of it: the rings would
         cross.
     """
-    domes = []
-    for key, end, scale, tip in zip(("start", "end"), ends, np.abs(scales), tips, strict=True):
-        round_here = isinstance(end, Round) and not tip
-        if round_here:
+    domes = [NONE, NONE]
+    for side, key in ((0, "start"), (-1, "end")):
+        if isinstance(ends[side], Round) and not body.tips[side]:
             with at(key):
-                require_seen(section)
-        domes.append(dome(section, scale, end.height, samples) if round_here else NONE)
+                require_seen(body.section)
+            scale = np.abs(body.scales[side])
+            grown = float(norms(np.cross(*body.rings[1:, side])) / scale.prod())
+            height = ends[side].height * half_breadth(stretched(true, scale))
+            drawn = stretched(body.section, scale)
+            domes[side] = dome(drawn, body.section.centroid, height, samples, fit, grown)
     return tuple(domes)
+
+
+def stretched(section, scale):
+    return replace(section, points=section.points * scale)
 
 
 def require_seen(section):
@@ -93,14 +104,32 @@ def require_seen(section):
     require(seen.all(), f"{others} the contour's centroid does not see all of its outline", "round")
 
 
-def dome(section, scale, height, samples):
-    """The dome of a section at a scale, its height in half breadths."""
-    stretched = replace(section, points=section.points * scale)
-    reach = np.linalg.norm(stretched.points - stretched.centroid, axis=1)
-    height *= half_breadth(stretched)
-    angle = np.linspace(0, np.pi / 2, 1 + steps(samples, max(reach.max(), height), len(reach)))[1:]
-    radius = np.append(np.cos(angle[:-1]), 0.0)
-    return Dome(radius, height * np.sin(angle), section.centroid, float(reach.mean()))
+def dome(section, centre, height, samples, fit, grown):
+    """The dome of a section that the fit has grown to so many times its area."""
+    reach = norms(section.points - section.centroid)
+    radius, rise = quarter(steps(samples, max(reach.max(), height), len(reach)), fit, grown)
+    return Dome(radius, height * rise, centre, float(reach.mean()))
+
+
+def quarter(steps, fit, grown):
+    """The radii and the heights of rings on a quarter of a circle, the last one a tip: two (k,).
+
+    Circumscribed, the steps are tangents of the circle, from one that goes straight on to one halfway before the tip.
+    For the true volume, 2 / 3 of radius squared times height, the vertices move out by the same part: their frusta have
+    a volume that is a cubic of it.
+    """
+    shift = 0.5 if fit is Fit.CIRCUMSCRIBED else 0.0
+    angle = (np.arange(1, steps + 1) - shift) * (np.pi / 2 / (steps - shift))
+    radius, height, out = np.append(np.cos(angle[:-1]), 0.0), np.sin(angle), 1.0
+    if fit is Fit.CIRCUMSCRIBED:
+        out = 1 / radius[0]
+    elif fit is Fit.AREA_TRUE:
+        upper = np.diff(height) @ (radius[:-1] ** 2 + radius[:-1] * radius[1:] + radius[1:] ** 2)
+        lowest = height[0] * np.array([radius[0] ** 2, radius[0] * np.sqrt(grown), grown])
+        roots = np.roots([upper + lowest[0], *lowest[1:], -2.0])
+        out = roots[np.abs(roots - 1).argmin()].real
+        radius /= np.sqrt(grown)
+    return out * radius, out * height
 
 
 def half_breadth(section):
@@ -131,7 +160,7 @@ def steps(samples, radius, points):
     return int(np.ceil(max(wanted, np.pi / 2 / WIDEST_TURN) - 1e-9))
 
 
-def with_domes(domes, stations, rings, tips, backward):
+def with_domes(domes, stations, rings, body):
     """The rings of a sweep with those of its domes.
 
     Parameters
@@ -140,10 +169,9 @@ def with_domes(domes, stations, rings, tips, backward):
         Of the start and of the end.
     stations : Stations
     rings : (3, n, 3) float array
-        The place and the axes of the ring at each station.
-    tips : (n,) bool array
-    backward : bool
-        Whether the sweep runs against its trajectory, beside it.
+        The place and the axes of the ring at each station, as the fit has moved them.
+    body : Body
+        The same before that, which are points, and whether the sweep runs against its trajectory, beside it.
 
     Returns
     -------
@@ -152,13 +180,13 @@ def with_domes(domes, stations, rings, tips, backward):
     u, s : (n + k,) float array
         The trajectory's parameter, which ends where the trajectory does, and the arc length, which goes on over a dome.
     """
-    parts = [rings.swapaxes(0, 1), tips, stations.u, stations.s]
+    parts = [rings.swapaxes(0, 1), body.tips, stations.u, stations.s]
     for dome, side, sign in zip(domes, (0, -1), (-1, 1), strict=True):
         if not len(dome):
             continue
-        outward = (-sign if backward else sign) * stations.tangent[side]
+        outward = (-sign if body.backward else sign) * stations.tangent[side]
         beyond = (
-            dome.rings(rings[:, side], outward).swapaxes(0, 1),
+            dome.rings(rings[:, side], body.rings[0, side], outward).swapaxes(0, 1),
             dome.radius == 0,
             np.full(len(dome), stations.u[side]),
             stations.s[side] + sign * dome.length,

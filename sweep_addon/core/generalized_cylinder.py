@@ -158,7 +158,8 @@ class GeneralizedCylinder:
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         sectors = closing.sectors(self.frame, along, symmetry) if closed else 0
         body = self.carried(section, along, stations, symmetry, tau * sectors / symmetry)
-        domes = domes_of(ends, body.section, body.scales[[0, -1]], body.tips[[0, -1]], self.samples)
+        true = body.section if self.fit is Fit.INSCRIBED else section_of(self.contour, Fit.INSCRIBED)
+        domes = domes_of(ends, body, true, self.samples, self.fit)
         vertices = (len(stations.s) + sum(map(len, domes))) * len(section.points)
         require_few(vertices, "samples")
         rings, shape = body.rings, body.section.points
@@ -166,7 +167,7 @@ class GeneralizedCylinder:
             true = halfway(stations, self.frame, along, symmetry)
             least = np.where(body.tips, 0.0, np.abs(body.scales).min(axis=1))
             rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry)
-        rings, points, u, s = with_domes(domes, stations, rings, body.tips, body.backward)
+        rings, points, u, s = with_domes(domes, stations, rings, body)
         grid = Grid(
             rings=len(s),
             tips=tuple(np.flatnonzero(points).tolist()),

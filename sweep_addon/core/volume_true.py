@@ -10,6 +10,7 @@ from .steps import ahead, handed, mitred, require_short, to_both
 from .vectors import dot, norms, unit
 
 FARTHEST = 3.0  # rises of the chords: a station moves no farther, for at an inflection it turns by nothing
+MOST_GROWN = 2.0  # areas: a step of half a turn holds a third of what it should
 
 
 def volume_true(stations, rings, along, centroid, turn):
@@ -122,4 +123,4 @@ def growth(stations, places, axes, along, turn):
     held = first + last
     lack = np.divide(true - held, held, out=np.zeros_like(held), where=held != 0)
     share, weight = (to_both(stations, factor * first, factor * last, np.add) for factor in (lack, 1.0))
-    return 1 + np.clip(share / np.where(weight, weight, np.inf), -0.5, 1.0)[:, None]
+    return 1 + np.clip(share / np.where(weight, weight, np.inf), -0.5, MOST_GROWN)[:, None]

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Round ends: half a ball on a circle, a dome on any outline that is seen whole from its centroid."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from solids import GLYPHS, assert_solid, box
+from test_enclosing import winding
 
 from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
 from sweep_addon.core.ends import Flat, Open, Round, Taper
@@ -235,3 +238,35 @@ def test_a_closed_path_has_no_end_to_round_and_says_so():
 def test_too_many_rings_are_refused():
     with pytest.raises(ShapeError, match="samples: must make at most 20,000,000 vertices, got "):
         pill(Circle(1000.0, 4096), Tolerance(1e-8)).mesh()
+
+
+@pytest.mark.parametrize("samples", [Count(2), Count(5), Count(40), Tolerance(1e-2), Tolerance(1e-4)])
+@pytest.mark.parametrize("points", [3, 6, 16])
+def test_area_true_is_the_volume_of_a_pill(samples, points):
+    """2 pi r^2 + 4 / 3 pi r^3 on two metres, however coarse; of an ellipse pi a b (2 + 4 / 3 c), twisted too."""
+    contour = Circle(0.5, points)
+    mesh = pill(contour, samples, fit="area-true").mesh()
+    assert_solid(mesh, euler=2)
+    assert mesh.volume() == pytest.approx(np.pi * (2 * 0.25 + 4 / 3 * 0.125), rel=1e-12)
+    stretched = pill(contour, samples, height=2.0, scale_x=3.0, twist="t")
+    height = stretched.mesh().vertices[:, 2].max() - 2
+    mesh = replace(stretched, fit="area-true").mesh()
+    assert mesh.volume() == pytest.approx(np.pi * 0.75 * (2 + 4 / 3 * height), rel=1e-9)
+
+
+@pytest.mark.parametrize("contour", [Circle(0.5, 8), Ellipse(0.5, 0.2, 12), Rectangle(0.6, 0.3, 0.1)])
+@pytest.mark.parametrize("samples", [Count(6), Count(40), Tolerance(1e-2), Tolerance(1e-3)])
+def test_no_point_of_the_true_domes_is_outside_a_circumscribed_mesh(contour, samples):
+    bent = Arc(3.0, 1.0)
+    shape = GeneralizedCylinder(contour, bent, samples, start=Round(), end=Round(1.5), fit="circumscribed")
+    mesh = shape.mesh()
+    assert_solid(mesh, euler=2)
+    finer = {name: 400 for name in ("points", "corner_points") if hasattr(contour, name)}
+    fine = replace(contour, **finer)
+    true = GeneralizedCylinder(fine, bent, Tolerance(1e-4), start=Round(), end=Round(1.5)).mesh()
+    domes = true.vertices[(true.attributes["u"] == bent.domain[0]) | (true.attributes["u"] == bent.domain[1])]
+    some = np.random.default_rng(1).permutation(domes)[:2000]
+    assert winding(mesh, some, 0).min() > 0.5
+    assert (
+        winding(GeneralizedCylinder(contour, bent, samples, start=Round(), end=Round(1.5)).mesh(), some, 0).min() < 0.5
+    )

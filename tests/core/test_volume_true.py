@@ -85,6 +85,14 @@ def test_a_contour_that_comes_back_turned_onto_itself_has_it_too(sectors, scale)
         assert error == pytest.approx(0, abs=1e-13)
 
 
+@pytest.mark.parametrize("turns", [0.25, 0.5, 0.75])
+def test_nor_does_a_step_that_turns_by_half_a_turn(turns):
+    """Its columns meet on the axis, and a third of the section is left on the way."""
+    for steps in (1, 4):
+        error = missed(Rectangle(0.4, 0.2), Line(), steps + 1, twist=f"2*pi*{turns * steps}*t")
+        assert error == pytest.approx(0, abs=1e-12)
+
+
 LAWS = {  # of a scale, and its mean square along t
     "1 + t": 7 / 3,
     "exp(-t)": (1 - np.exp(-2)) / 2,
