@@ -97,7 +97,8 @@ def stretched(section, scale):
 def require_seen(section):
     """Refuse a section whose rings, drawn together towards its centroid, would cross."""
     others = "must be flat, open or taper where"
-    require(len(section.offsets) == 2, f"{others} the contour has holes or several outlines", "round")
+    require((section.areas > 0).all(), f"{others} the contour has holes, which a dome would close", "round")
+    require(len(section.areas) == 1, f"{others} the contour has several outlines: sweep each by itself", "round")
     sides = section.points - section.centroid
     x, y = sides.T
     seen = x * y[section.following] - y * x[section.following] > SEEN * section.size**2

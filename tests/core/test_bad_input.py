@@ -199,7 +199,7 @@ SHAPES = {  # refused when the shape is made, or its mesh
     },
     "start.length: must be more than 0, got 0": {"start": taper(0)},
     "end.height: must be more than 0, got -1": {"end": {"kind": "round", "height": -1}},
-    "end: must be flat, open or taper where the contour has holes or several outlines, got 'round'": {
+    "end: must be flat, open or taper where the contour has holes, which a dome would close, got 'round'": {
         "contour": Outline([SQUARE, [(0.5, 0.5), (0.75, 0.5), (0.5, 0.75)]]), "end": "round"
     },
     "start: must be flat, open or taper where the contour's centroid does not see all of its outline, got 'round'": {

@@ -214,15 +214,22 @@ def test_where_the_contour_is_a_point_there_is_nothing_to_round():
     assert pointed.vertices[:, 2].max() == 2
 
 
-@pytest.mark.parametrize("glyph", GLYPHS)
-def test_outlines_that_have_no_dome_are_refused(glyph):
-    """One that is concave, ones with holes, ones of several islands."""
-    sentence = "must be flat, open or taper where the contour"
-    for key in ("start", "end"):
-        with pytest.raises(ShapeError) as refusal:
-            GeneralizedCylinder(GLYPHS[glyph][0], UP, **{key: Round()}).mesh()
-        why = "'s centroid does not see all of its outline" if glyph == "L" else " has holes or several outlines"
-        assert str(refusal.value) == f"{key}: {sentence}{why}, got 'round'"
+UNDOMED = {
+    "L": "'s centroid does not see all of its outline",
+    "B": " has holes, which a dome would close",
+    "%": " has holes, which a dome would close",
+    ":": " has several outlines: sweep each by itself",
+}
+
+
+@pytest.mark.parametrize("glyph", UNDOMED)
+@pytest.mark.parametrize("key", ["start", "end"])
+def test_outlines_that_have_no_dome_are_refused(glyph, key):
+    contours = {":": Outline([box((0, 0), (1, 1)), box((0, 2), (1, 3))])} | {name: GLYPHS[name][0] for name in "LB%"}
+    with pytest.raises(ShapeError) as refusal:
+        GeneralizedCylinder(contours[glyph], UP, **{key: Round()}).mesh()
+    expected = f"{key}: must be flat, open or taper where the contour{UNDOMED[glyph]}, got 'round'"
+    assert str(refusal.value) == expected
 
 
 def test_an_aerofoil_has_a_dome():
