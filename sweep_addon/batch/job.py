@@ -4,12 +4,12 @@
 
 import hashlib
 import json
-from dataclasses import dataclass
 from enum import Enum
 from os import PathLike
 from pathlib import Path
 
 from ..core import description, forms
+from ..core.frozen import frozen
 from ..core.parameters import ShapeError, angle, at, count, declared, from_table, parameter, parameters, require
 from ..core.shapes import SHAPE_NAMES, SHAPES
 from .lines import line_of
@@ -43,7 +43,7 @@ class Render:
     transparent: bool = parameter(False, "Nothing behind the shape")
 
 
-@dataclass(frozen=True)
+@frozen
 class Job:
     """A job that was understood.
 

@@ -3,14 +3,14 @@
 """A plan: what is to be done for some jobs, one task for each file that will be written. Nothing is done here."""
 
 import hashlib
-from dataclasses import dataclass
 from os.path import abspath
 from pathlib import Path
 
+from ..core.frozen import frozen
 from ..core.parameters import ShapeError, require
 
 
-@dataclass(frozen=True)
+@frozen
 class Task:
     """One file to be written, in words that any process on any machine can follow.
 

@@ -9,13 +9,13 @@ be started again: what is marked is skipped, and nothing unfinished ever has an 
 import os
 import subprocess
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass
 from pathlib import Path
 
+from ..core.frozen import frozen
 from .plan import Task
 
 
-@dataclass(frozen=True)
+@frozen
 class Result:
     """What became of a task: ``done``, ``skipped`` or ``failed``, and in the last case why, in a sentence."""
 

@@ -3,13 +3,13 @@
 """A tube that Blender itself draws along a curve, read as a sweep."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..core.contours import Circle
 from ..core.ends import Flat, Open
 from ..core.frames import FixedUp, RotationMinimizing, axes, first_normal
+from ..core.frozen import frozen
 from ..core.generalized_cylinder import GeneralizedCylinder
 from ..core.parameters import require
 from ..core.sampling import Tolerance, place
@@ -20,7 +20,7 @@ ON_SPLINES = {"HOOK", "SOFT_BODY", "MESH_DEFORM"}  # modifiers that always move 
 SAME = 1e-3  # radians
 
 
-@dataclass(frozen=True)
+@frozen
 class Tube:
     """What Blender draws, as a sweep would be told.
 

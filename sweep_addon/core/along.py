@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Along the path: how the contour is scaled, turned and moved at each station, its tapers included."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from math import gcd
 
@@ -12,6 +12,7 @@ from .cells import WIDEST_TURN
 from .contours.symmetry import ALIKE
 from .ends import Taper
 from .frames import turn
+from .frozen import frozen
 from .laws import Constant, Law
 from .parameters import LARGEST, ShapeError, at, require
 from .search import highest
@@ -24,7 +25,7 @@ SEARCHED = 4097  # places along the trajectory where a change of sign is looked 
 LAWS = ("scale_x", "scale_y", "twist", "offset_x", "offset_y")
 
 
-@dataclass(frozen=True)
+@frozen
 class Along:
     """The laws of one sweep.
 

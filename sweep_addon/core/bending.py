@@ -6,12 +6,12 @@
 Before its start and after its end the axis goes on straight.
 """
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from .frames import axes
+from .frozen import frozen
 from .sampling import stations
 
 
@@ -26,7 +26,7 @@ class Axis(NamedTuple):
     told: tuple  # sentences for people, where the frame is not defined
 
 
-@dataclass(frozen=True)
+@frozen
 class Bending:
     """The transformation that a smooth trajectory and its frame define.
 

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
 
-from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 
 import numpy as np
 
 from .digest import checksum
+from .frozen import individual
 from .grid import Grid
 from .runs import backward, run_of
 from .vectors import product
@@ -20,7 +20,7 @@ class Texture(Enum):
     NONE = "No texture coordinates"
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Chart:
     """Where on a sweep its vertices and corners lie: the source of texture coordinates and named attributes.
 

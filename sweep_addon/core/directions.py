@@ -5,7 +5,6 @@
 The tangent e1 and d span the direction plane. In it, across e1 and on the side of d, lies e2; e3 is across both.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from math import pi
@@ -14,6 +13,7 @@ import numpy as np
 
 from .cubics import Basis
 from .frames import OfItsPlace, RotationMinimizing, fill
+from .frozen import individual
 from .laws import hermite, monotone_slopes
 from .parameters import Array, ShapeError, declared, parameter, points, require
 from .rotations import signed_angle
@@ -39,7 +39,7 @@ class Parallel(Enum):
 parallel = parameter(Parallel.CONTINUE, "What to do where the direction runs along the trajectory")
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Meetings:
     """Where a direction runs along the trajectory."""
 

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Domes: the rings of a round end, beyond the trajectory, that shrink as those of a ball do to a tip."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from .cells import WIDEST_TURN
 from .contours import Fit
 from .ends import Round
+from .frozen import individual
 from .parameters import at, require
 from .sampling import MOST_STATIONS, Tolerance
 from .vectors import dot, norms
@@ -16,7 +17,7 @@ from .vectors import dot, norms
 SEEN = 1e-9  # of the contour's size squared: what the centroid must see of every edge
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Dome:
     """The rings of a round end, from the first beyond the trajectory to the tip.
 

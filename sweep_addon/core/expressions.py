@@ -8,12 +8,12 @@ numbers are floats: no power can grow beyond infinity, which is refused.
 """
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from math import isfinite
 
 import numpy as np
 
+from .frozen import frozen
 from .functions import COMPARISON, CONSTANTS, FUNCTIONS, INFIX, NEGATION, POWER, PREFIX
 from .parameters import ShapeError, require
 
@@ -27,7 +27,7 @@ TOKEN = re.compile(
 )
 
 
-@dataclass(frozen=True)
+@frozen
 class Expression:
     """A text that was understood, ready to be evaluated.
 

@@ -7,7 +7,6 @@ and extra turns are all added to it. Round a closed trajectory it grows by whole
 contour to itself, of which there are ``symmetry`` in a whole one.
 """
 
-from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from math import tau
@@ -15,6 +14,7 @@ from math import tau
 import numpy as np
 
 from . import sampling
+from .frozen import individual
 from .parameters import ShapeError, declared, parameter, require
 from .rotations import rotated, signed_angle, turned, wrapped
 from .trajectories.arc_length import arc_length
@@ -28,7 +28,7 @@ JUMP = tau / 8  # from one of them to the next: no number of contours would make
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Frames:
     """Frames and contours at places along a sweep.
 

@@ -7,12 +7,13 @@ column, so that all of them come from one matrix product of the section with the
 has shrunk to nothing is one vertex, a tip, behind all the others.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from hashlib import blake2b
 
 import numpy as np
 
+from .frozen import frozen
 from .kept import kept
 from .mesh import Topology
 from .runs import backward, following
@@ -20,7 +21,7 @@ from .runs import backward, following
 SIDE, CAP = 0, 1  # material slots
 
 
-@dataclass(frozen=True)
+@frozen
 class Grid:
     """What decides the topology of a sweep; equal grids share their arrays.
 

@@ -2,15 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Several meshes as one: the tubes along the splines of a curve."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from .frozen import individual
 from .kept import kept
 from .mesh import Mesh, Topology
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Charts:
     """The charts of several meshes, one after the other."""
 

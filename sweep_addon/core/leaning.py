@@ -2,15 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chart of a solid whose rings lean: each of their vertices has a place of its own along the axis."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from .chart import Chart, Texture
 from .digest import checksum
+from .frozen import individual
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Leaning(Chart):
     """Where on such a solid its vertices and corners lie.
 

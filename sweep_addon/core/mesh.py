@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A mesh of arrays, and what can be measured on it."""
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import numpy as np
 
 from .digest import checksum
+from .frozen import individual
 from .parameters import require
 from .runs import following
 
@@ -15,7 +16,7 @@ MOST_VERTICES = 20_000_000
 SAMPLE = 64  # of a named topology every so many numbers make its key: enough to tell how another version lays them
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Topology:
     """Which vertices make which faces and edges, whatever their places.
 
@@ -84,7 +85,7 @@ class Topology:
         return np.stack((keys // size, keys % size), axis=1), forward, total - forward
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Mesh:
     """Vertices and faces, with what is known about them.
 

@@ -9,7 +9,7 @@ is made: whoever asks, the refusal is the same sentence.
 """
 
 from contextlib import contextmanager, suppress
-from dataclasses import FrozenInstanceError, dataclass, field, fields, replace
+from dataclasses import field, fields, replace
 from enum import EnumMeta
 from functools import cache, cached_property, partial
 from math import inf
@@ -19,6 +19,7 @@ from typing import dataclass_transform, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from .frozen import bound, by_value, individual, unchanging
 from .wording import MEASURES, documented, longest, named, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
@@ -103,7 +104,7 @@ class Array:
         return repr(self.values.tolist())
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Parameter:
     """One declared field: its name, type and default, and what its metadata says. There is one object for each."""
 
@@ -118,7 +119,7 @@ class Parameter:
     soft_maximum: float | None = None  # where a slider ends; typing may go on to the maximum
     columns: int | None = None  # numbers in a row of an array; None: a row is one number
     most: float = inf  # rows of an array, of all together where there are several
-    others: dict = field(default_factory=dict, hash=False)  # kinds, and defaults of theirs that are others here
+    others: dict | None = None  # kinds, and defaults of theirs that are others here
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
@@ -148,49 +149,17 @@ points = partial(parameter, unit="length", columns=3, most=200_000)  # for which
 def declared(cls):
     """Make a frozen dataclass that coerces and checks its fields once, when a value is made, and documents them."""
 
-    def settle(self):
+    def settle(self, *values, **named):
+        given = bound(cls, values, named)
         for p in parameters(cls):
             with at("" if p.shorthand else p.name):
-                object.__setattr__(self, p.name, coerce(p, getattr(self, p.name)))
+                self.__dict__[p.name] = coerce(p, given[p.name]) if p.name in given else p.default
         if hasattr(cls, "check"):
             self.check()
 
-    cls.__post_init__ = settle
-    cls.__eq__, cls.__hash__, cls.__repr__ = equal, hashed, written
-    cls.__setattr__, cls.__delattr__ = set_once, kept
-    cls = dataclass(eq=False, repr=False)(cls)
+    cls = unchanging(by_value(cls), settle)
     cls.__doc__ = documented(cls)
     return cls
-
-
-# The same for all kinds: those that `dataclass(frozen=True)` would write for each cost a quarter of a millisecond each.
-
-
-def values(self):
-    return tuple(getattr(self, name) for name in self.__dataclass_fields__)
-
-
-def equal(self, other):
-    return values(self) == values(other) if type(self) is type(other) else NotImplemented
-
-
-def hashed(self):
-    return hash((type(self), values(self)))
-
-
-def set_once(self, name, value):
-    if name in self.__dict__ or name not in self.__dataclass_fields__:
-        raise FrozenInstanceError(f"cannot assign to field {name!r}")
-    object.__setattr__(self, name, value)
-
-
-def kept(self, name):
-    raise FrozenInstanceError(f"cannot delete field {name!r}")
-
-
-def written(self):
-    told = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__dataclass_fields__)
-    return f"{type(self).__qualname__}({told})"
 
 
 @cache
@@ -206,7 +175,7 @@ def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
     likened = getattr(kind, "like", lambda other: None)
     default = union.default if isinstance(union.default, kind) else likened(union.default)
-    others = union.others.get(kind, {})
+    others = (union.others or {}).get(kind, {})
     return tuple(
         replace(
             p,

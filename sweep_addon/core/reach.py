@@ -7,12 +7,12 @@ the trajectory at both. Such pairs are looked for in a tree of arcs: most pairs 
 between them can be across both, and Newton's method meets few.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from .cells import bend, cut
+from .frozen import frozen, individual
 from .parameters import ShapeError, require
 from .search import highest
 from .trajectories.arc_length import arc_length
@@ -28,7 +28,7 @@ ACROSS = 1e-7  # cosine between a chord and a tangent: square to it
 TOUCHING = 1e-9  # of the length: no distance
 
 
-@dataclass(frozen=True)
+@frozen
 class Reach:
     """The radius at which a round tube begins to meet itself.
 
@@ -101,7 +101,7 @@ def most_bent(trajectory):
     return Reach(1 / float(most[top]), (float(u[top]),))
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Arcs:
     """A trajectory in arcs: what is known of all points of each from its middle."""
 

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sampling: where along a trajectory the contour is placed, and what the trajectory is like there."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 
 from .cells import bend
+from .frozen import individual
 from .parameters import ShapeError, count, declared, length, parameter, require
 from .spreading import MOST_STATIONS, distinct, fewest, spread, spread_evenly
 from .trajectories.arc_length import arc_length
@@ -82,7 +83,7 @@ def rendered(shape):
     return replace(shape, samples=samples.rendered()) if samples is not None and samples.render else shape
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Stations:
     """The places along a trajectory where the contour stands.
 

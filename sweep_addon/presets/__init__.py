@@ -6,17 +6,17 @@ Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.to
 """
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 from ..core.forms import shape_of, tables
+from ..core.frozen import frozen
 from ..core.shapes import SHAPES
 
 FOLDER = Path(__file__).parent
 
 
-@dataclass(frozen=True)
+@frozen
 class Preset:
     """A job file and its first line, a comment that says what the shape is."""
 

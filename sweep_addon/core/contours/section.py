@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A section: what every contour becomes, closed loops of points in the plane that bound an area."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 
+from ..frozen import individual
 from ..runs import following, run_of
 from ..vectors import dot
 from .loops import joined, require_apart, require_area, without_coincident
@@ -16,7 +17,7 @@ from .symmetry import symmetry
 SHARP = np.radians(20)  # an edge that turns by more is a corner; flattened curves turn by at most 15 degrees
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Section:
     """Loops of points, the area on their left: outer loops counter-clockwise, holes clockwise.
 

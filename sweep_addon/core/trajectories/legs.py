@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Straight legs whose corners may be cut off: a chain of straight pieces and exact arcs."""
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from ..frozen import frozen, individual
 from ..parameters import Array
 from ..vectors import norms, unit
 from .curve import NONE, SAME_DIRECTION, Trajectory
@@ -86,7 +86,7 @@ class Legs(Trajectory):
         return self.pieces.derivative(np.asarray(u, dtype=float), order, before)
 
 
-@dataclass(frozen=True)
+@frozen
 class Cut(Legs):
     """Legs with a short one across some of their corners, for a `Mitre` beyond its limit."""
 
@@ -97,7 +97,7 @@ class Cut(Legs):
     tilts: Array = NONE
 
 
-@dataclass(frozen=True, eq=False)
+@individual
 class Pieces:
     """Straight pieces and arcs, one after the other.
 
