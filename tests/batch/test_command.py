@@ -92,7 +92,7 @@ def test_describe_tells_of_all_kinds_of_a_name(capsys):
         ("build", "a.toml"): "sweep build: one of the arguments -o/--output -d/--output-dir is required",
         ("check",): "sweep check: the following arguments are required: JOB",
         ("check", "no.toml"): "no.toml: must be a job file that exists",
-        ("describe", "tube"): "SHAPE: must be one of generalized-cylinder, ",
+        ("describe", "tube"): "SHAPE: must be one of translational-sweep, ",
     }.items(),
 )
 def test_bad_input_is_one_sentence_and_exit_code_2(arguments, sentence, capsys):
