@@ -20,8 +20,8 @@ class Mitre:
 
     The length of a mitre, from the inner edge of the corner to the outer, is the contour's width over the sine of half
     the angle between the legs, as in SVG, and so is what becomes of a corner beyond the limit: a bevel from where the
-    outer side of one leg ends, square to the corner, to where that of the other begins. The inner sides of the legs
-    then run into each other, inside the solid.
+    outer side of one leg ends, square to the corner, to where that of the other begins. The inner sides meet as those
+    of a mitre do, if both legs are three times as long as the bevel takes of them.
 
     >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
     >>> from sweep_addon.core.trajectories import Polyline

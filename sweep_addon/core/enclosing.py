@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from .bevels import steps_on_bevels
 from .contours.crossing import crossings
 from .contours.fit import Fit
 from .drawn import affine
@@ -59,12 +60,13 @@ def enclosing(stations, rings, true, section, scales, turn):
     middle = (rings[:, starts] + later(stations, rings, turn)) / 2
     true[1] *= np.sign(np.einsum("ij,ij->", true[1], middle[1]))  # the section may be seen in a mirror
     pointed = (scales[starts] == 0) | (scales[stations.onward] == 0)
-    moved = rings + halves(stations, np.where(pointed[:, None], 0.0, true - middle), turn)
+    exact = pointed | steps_on_bevels(stations)
+    moved = rings + halves(stations, np.where(exact[:, None], 0.0, true - middle), turn)
 
     after = later(stations, moved, turn)
     step, middle = after - moved[:, starts], (moved[:, starts] + after) / 2
     apart = missed(section, true - middle, step, directions(stations)) / require_short(stations, Fit.CIRCUMSCRIBED)
-    apart = np.where(pointed, 0.0, apart)
+    apart = np.where(exact, 0.0, apart)
     apart = np.maximum(to_both(stations, apart, apart, np.maximum), farthest_moved(section, moved - rings))
     clearance = RESERVE * apart / np.where(scales > 0, scales, np.inf)
     vectors = out(section)

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import caps, closing
 from .along import Along, tapers, tips
+from .bevels import fanned
 from .chart import Chart, Texture, lengths_around
 from .contours import (
     Aerofoil,
@@ -293,7 +294,9 @@ def placed(stations, aside, x, y):
     rings = np.stack((aside, x, y))
     corners = stations.corners
     if len(corners):
+        bevels, fans = fanned(stations, rings)
         rings[:, corners] = mitred(rings[:, corners], stations.arrive[corners], stations.leave[corners])
+        rings[:, bevels] = fans
     rings[0] += stations.points
     return rings
 

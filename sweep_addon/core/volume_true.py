@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from .bevels import fanned
 from .contours.fit import Fit
 from .rotations import turned
 from .steps import ahead, handed, mitred, require_short, to_both
@@ -51,13 +52,16 @@ def volume_true(stations, rings, along, centroid, turn):
     What is left out is the squares of these corrections, which are squares of the steps. Only where a contour whose
     centroid is off the trajectory also turns or is scaled, the length of its way is right to the square of the steps.
     """
+    rings = np.stack(rings)
     aside, x, y = rings
     places = stations.points + outward(stations, aside + centroid[0] * x + centroid[1] * y)
     before, after = chords(stations, places)
+    bevels, fans = fanned(stations, rings)
     bisectors = unit(before + after)
     rings = np.stack([turned(part, stations.tangent, bisectors) for part in rings])
     rings = mitred(rings, before, after)
     rings[1:] *= np.sqrt(growth(stations, places, rings[1:], along, turn))
+    rings[:, bevels] = fans
     rings[0] += places
     return rings
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from solids import assert_solid, box
 
-from sweep_addon.core.contours import Circle, Outline, Rectangle
+from sweep_addon.core.contours import Circle, Fit, Outline, Rectangle, fitted
 from sweep_addon.core.corners import Bevel, Mitre, Round
 from sweep_addon.core.ends import Flat, Open, Taper
 from sweep_addon.core.ends import Round as Dome
@@ -154,14 +154,44 @@ def test_a_mitre_limit_is_that_of_svg(degrees):
     assert told == f"Corner: {said}; it is bevelled."
 
 
-@pytest.mark.parametrize("degrees", ANGLES[2:])
+@pytest.mark.parametrize("degrees", ANGLES[2:-1])
 @pytest.mark.parametrize("contour", [Circle(0.1, points=9), Rectangle(0.2, 0.1)])
-def test_a_bevel_for_a_mitre_has_the_volume_of_the_path_cut_where_the_scaled_contour_reaches(contour, degrees):
-    """Cut by reach times the tangent of a quarter of the turn."""
-    turn, reach = np.radians(degrees), 2 * np.linalg.norm(contour.section().points, axis=1).max()
-    mesh = GeneralizedCylinder(contour, elbow(degrees, Mitre(1.1)), scale_x=2, scale_y=2).mesh()
-    length = elbow(degrees, Bevel(reach * np.tan(turn / 4))).length()
-    assert mesh.told and mesh.volume() == pytest.approx(4 * contour.section().area * length, rel=1e-12)
+@pytest.mark.parametrize("fit", Fit)
+def test_a_bevel_for_a_mitre_has_the_volume_of_both_legs_and_what_lies_between(contour, degrees, fit):
+    """The inner edges of both legs meet r tan(f) before the corner, f half the turn and r as far as the contour
+    reaches; the outer edges end square to it. So the legs lack s = r tan(f) / 2 each, and between them columns are
+    straight, in the middle 2 s cos(f) long, and their section is cos(f) + sin(f) s / r times as wide."""
+    half, reach = np.radians(degrees) / 2, 2 * np.linalg.norm(fitted(contour, fit).points, axis=1).max()
+    mesh = GeneralizedCylinder(contour, elbow(degrees, Mitre(1.1)), scale_x=2, scale_y=2, fit=fit).mesh()
+    cut = 1.001 * reach * np.tan(half) / 2  # a thousandth more keeps the inner edges apart
+    length = 10 - 2 * cut + 2 * cut * np.cos(half) * (np.cos(half) + np.sin(half) * cut / reach)
+    assert mesh.told and mesh.volume() == pytest.approx(4 * fitted(contour, fit).area * length, rel=1e-12)
+
+
+@pytest.mark.parametrize("degrees", ANGLES[2:])
+def test_nothing_of_a_bevel_for_a_mitre_runs_back(degrees):
+    """Its inner edge is nearly a point: that of the mitre, where the inner sides of both legs meet."""
+    turn = np.radians(degrees)
+    path = [(0, 0, 0), (9, 0, 0), (9 + 9 * np.cos(turn), 9 * np.sin(turn), 0)]
+    mesh = GeneralizedCylinder(Circle(0.1, 8), Polyline(path, corner=Mitre(1.1))).mesh()
+    assert_solid(mesh, euler=2)
+    rings = mesh.vertices.reshape(8, 4, 3)
+    steps = np.diff(rings, axis=1)
+    across = rings[:, 2].mean(axis=0) - rings[:, 1].mean(axis=0)
+    assert (steps[:, 0] @ (1, 0, 0)).min() > 0 and (steps[:, 1] @ across).min() > 0
+    inner = path[1] + 0.1 / np.cos(turn / 2) * np.array((-np.sin(turn / 2), np.cos(turn / 2), 0))
+    assert np.linalg.norm(rings[:, 1:3] - inner, axis=2).min(axis=0).max() < 0.001 * 0.1 * np.tan(turn / 2) * 1.01
+
+
+@pytest.mark.parametrize("samples", [Tolerance(), Count(60)])
+def test_all_corners_of_a_closed_path_are_bevelled_alike(samples):
+    """u begins in the middle of the first bevel, so there a contour stands on it."""
+    square = Polyline([(1, 1, 0), (-1, 1, 0), (-1, -1, 0), (1, -1, 0)], closed=True, corner=Mitre(1.1))
+    mesh = GeneralizedCylinder(Circle(0.1, 12), square, samples).mesh()
+    assert_solid(mesh, euler=0)
+    cut, root = 1.001 * 0.1 / 2, np.sqrt(0.5)
+    length = 8 + 4 * (2 * cut * root * (root + root * cut / 0.1) - 2 * cut)
+    assert mesh.volume() == pytest.approx(Circle(0.1, 12).section().area * length, rel=1e-12)
 
 
 def test_all_mitres_beyond_the_limit_are_bevelled_and_the_first_is_named():

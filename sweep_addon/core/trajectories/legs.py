@@ -88,11 +88,15 @@ class Legs(Trajectory):
 
 @frozen
 class Cut(Legs):
-    """Legs with a short one across some of their corners, for a `Mitre` beyond its limit."""
+    """Legs with a short one across some of their corners, for a `Mitre` beyond its limit.
+
+    The contour reaches so far, in metres, that the setback over it is by how much the rings of a bevel lean.
+    """
 
     points: Array
     closed: bool = False
     setbacks: Array = NONE
+    reach: float = 1.0
     radii: Array = NONE
     tilts: Array = NONE
 

@@ -14,6 +14,7 @@ from .legs import Cut, Legs
 
 INVISIBLE = 1e-7  # of the whole path: a corner that would take less of its legs is left as it is
 ROUNDING = 1e-6  # of a leg, by which single precision, and the number that a refusal shows, may be too long
+APART = 1.001  # times what it must take: so its inner edges come near each other and do not touch
 TAKEN = 1 / 3  # of the shorter leg: what a mitre beyond its limit may take
 
 
@@ -99,16 +100,17 @@ class Polyline(Legs):
         """The path with bevels for mitres that are too long, and a sentence that says so.
 
         The outer edge of a contour that reaches so far, in metres, then runs from where that of one leg ends, square to
-        the corner, to where that of the other begins, as in SVG, as far as the legs have room for that.
+        the corner, to where that of the other begins, as in SVG, while the inner edges meet as those of a mitre do. In
+        the middle between both are the setbacks, as far as the legs have room for that.
         """
         sharp, taken = self.too_sharp, np.zeros(len(self.points))
         shorter = np.minimum(self.lengths[sharp - 1], self.lengths[sharp])
         least = INVISIBLE * self.lengths.sum()
-        taken[sharp] = np.minimum(np.maximum(reach * np.tan(self.turns[sharp] / 4), least), TAKEN * shorter)
+        taken[sharp] = np.minimum(np.maximum(APART * reach * np.tan(self.turns[sharp] / 2) / 2, least), TAKEN * shorter)
         length = 1 / np.cos(self.turns[sharp[0]] / 2)
         all_of_them = f"it and {len(sharp) - 1} more are" if len(sharp) > 1 else "it is"
         told = (
             f"Corner: the mitre at point {sharp[0] + 1} would be {length:.3g} widths long, and the limit is "
             f"{self.corner.limit:.9g}; {all_of_them} bevelled."
         )
-        return Cut(self.points, self.closed, Array(taken), self.radii, self.tilts), told
+        return Cut(self.points, self.closed, Array(taken), reach, self.radii, self.tilts), told
