@@ -80,16 +80,22 @@ class Chart:
         _, below, above = self.grid.bands()
         low, high, left, right = self.strip()
         sides = np.stack((np.ones_like(left), left, right), axis=1).astype(dtype)
+        sides = [np.ascontiguousarray(sides[columns]) for columns in self.grid.strips]
+        middle, every = (low + high) / 2, np.full(len(low), True)
         kinds = (
-            (~below & ~above, (low, low, high, high), (0, 1, 1, 0)),
-            (above & ~below, (low, low, high), (0, 1, 0.5)),
-            (below & ~above, (low, high, high), (0.5, 1, 0)),
+            (sides[0], ~below & ~above, (low, low, high, high), (0, 1, 1, 0)),
+            (sides[0], above & ~below, (low, low, high), (0, 1, 0.5)),
+            (sides[0], below & ~above, (low, high, high), (0.5, 1, 0)),
+            (sides[1], every, (middle, low, high), (0, 1, 1)),
+            (sides[2], every, (low, middle, high), (0, 1, 0)),
         )
-        widths = [2 * len(shares) * np.count_nonzero(chosen) for chosen, _, shares in kinds]
+        kinds = [kind for kind in kinds if len(kind[0])]
+        widths = [2 * len(shares) * np.count_nonzero(chosen) for _, chosen, _, shares in kinds]
         caps = list(self.cap_uv(dtype))
-        uv = empty(len(sides) * sum(widths) + sum(cap.size for cap in caps), dtype)
+        corners = sum(len(sides) * width for (sides, *_), width in zip(kinds, widths, strict=True))
+        uv = empty(corners + sum(cap.size for cap in caps), dtype)
         start = 0
-        for (chosen, along, shares), width in zip(kinds, widths, strict=True):
+        for (sides, chosen, along, shares), width in zip(kinds, widths, strict=True):
             # One matrix product lays all corners: along the trajectory + left + right, each by its share.
             rows = np.zeros((3, width // (2 * len(shares)), len(shares), 2), dtype)
             rows[0, ..., 0] = np.stack([end[chosen] for end in along], axis=-1)
@@ -143,11 +149,11 @@ class Chart:
         """Values at each vertex that depend on its station: u and arc_length."""
         if not self.named:
             return {}
-        whole, tips = self.grid.whole, list(self.grid.tips)
+        whole, tips, lines, poles = self.grid.whole, list(self.grid.tips), len(self.grid.lines), len(self.grid.poles)
 
         def by_ring(values):
             values = values.astype(dtype)
-            return np.concatenate((np.tile(values[whole], self.grid.columns), values[tips]))
+            return np.concatenate((np.tile(values[whole], lines), values[tips], np.repeat(values[:1], poles)))
 
         return {"u": by_ring(self.u), "arc_length": by_ring(self.s)}
 
@@ -156,8 +162,9 @@ class Chart:
         if not self.named:
             return {}
         start, _ = self.columns()
-        v = np.repeat(start.astype(dtype), len(self.grid.whole))
-        return {"v": np.concatenate((v, np.zeros(len(self.grid.tips), dtype)))}
+        start, tips = start.astype(dtype), np.zeros(len(self.grid.tips), dtype)
+        lines = np.repeat(start[self.grid.lines], len(self.grid.whole))
+        return {"v": np.concatenate((lines, tips, start[list(self.grid.poles)]))}
 
 
 def lengths_around(section, scale):

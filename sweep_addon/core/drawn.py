@@ -8,7 +8,7 @@ from .vectors import product
 
 
 def drawn(grid, weights, rings, dtype):
-    """The vertices, column by column, tips last: one matrix product of the section with the rings.
+    """The vertices, column by column, then tips, then poles: one matrix product of the section with the rings.
 
     Parameters
     ----------
@@ -24,11 +24,12 @@ def drawn(grid, weights, rings, dtype):
     (v, 3) array
     """
     whole = rings[:, grid.whole] if grid.tips else rings
-    ringed = len(weights) * whole.shape[1]
-    vertices = np.empty((ringed + len(grid.tips), 3), dtype)
+    lines = weights[grid.lines] if grid.poles else weights
+    ringed = len(lines) * whole.shape[1]
+    vertices = np.empty((ringed + len(grid.tips) + len(grid.poles), 3), dtype)
     axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
-    product(weights.astype(dtype, order="C"), axes, vertices[:ringed].reshape(len(weights), -1))
-    vertices[ringed:] = rings[0, list(grid.tips)]
+    product(lines.astype(dtype, order="C"), axes, vertices[:ringed].reshape(len(lines), -1))
+    vertices[ringed:] = np.concatenate((rings[0, list(grid.tips)], weights[list(grid.poles)] @ rings[:, 0]))
     return vertices
 
 

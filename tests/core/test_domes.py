@@ -12,7 +12,7 @@ from test_enclosing import winding
 from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
 from sweep_addon.core.ends import Flat, Open, Round, Taper
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.grid import CAP, SIDE
+from sweep_addon.core.laying import CAP, SIDE
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Helix, Line, Polyline

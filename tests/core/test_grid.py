@@ -11,8 +11,8 @@ from solids import GLYPHS, ngon
 from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.ends import Open, Taper
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.grid import CAP, SIDE
 from sweep_addon.core.joining import joined
+from sweep_addon.core.laying import CAP, SIDE
 from sweep_addon.core.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Line, Polyline, TorusKnot
 
