@@ -5,6 +5,8 @@
 A trajectory carries the radius and the tilt of the curve's points; the contour of a curve has neither.
 """
 
+from functools import partial
+
 import bpy
 import numpy as np
 
@@ -39,15 +41,23 @@ def trajectories(ob, depsgraph=None):
     return found
 
 
-def outline(ob, depsgraph=None, scaled=True):
-    """The outline of a curve or text object: its splines in its own xy plane, scaled as the object is if so asked.
+def outline(ob, depsgraph=None, scaled=True, may_be_open=False):
+    """The outline of a curve or text object: its splines in its own xy plane.
 
-    A spline that is not cyclic is closed by a straight line.
+    Parameters
+    ----------
+    ob : bpy.types.Object
+    depsgraph : bpy.types.Depsgraph, optional
+    scaled : bool
+        Whether it is scaled as the object is.
+    may_be_open : bool
+        Whether it stays open where no spline is cyclic; one that is not among others is closed by a straight line.
     """
-    loops = as_shown(ob, depsgraph, spline_loops)
+    stays_open = may_be_open and ob.type == "CURVE" and not any(spline.use_cyclic_u for spline in ob.data.splines)
+    loops = as_shown(ob, depsgraph, partial(spline_loops, closed=not stays_open))
     require(loops, "must be a curve or text with an outline", ob.name)
     scale = ob.scale[:2] if scaled else 1.0
-    return Outline([loop * scale for loop in loops])
+    return Outline([loop * scale for loop in loops], closed=not stays_open)
 
 
 def as_shown(ob, depsgraph, read):
@@ -62,9 +72,9 @@ def as_shown(ob, depsgraph, read):
         evaluated.to_curve_clear()
 
 
-def spline_loops(splines):
-    """Splines as closed loops of points (n, 2)."""
-    made = [spline_trajectory(spline, spline.use_cyclic_u or spline.type == "POLY") for spline in splines]
+def spline_loops(splines, closed):
+    """Splines as loops of points (n, 2)."""
+    made = [spline_trajectory(spline, spline.use_cyclic_u or closed and spline.type == "POLY") for spline in splines]
     return [flattened(trajectory) for trajectory in made if trajectory]
 
 
@@ -225,5 +235,5 @@ def from_contour(contour, name):
     curve.dimensions = "2D"
     section = contour.section()
     for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True):
-        new_poly(curve, section.points[start:end]).use_cyclic_u = True
+        new_poly(curve, section.points[start:end]).use_cyclic_u = section.closed
     return curve

@@ -147,7 +147,7 @@ def shapes(mesh, depsgraph=None):
     def resolve(ob, p, number=0):
         with at(p.name):
             if "FONT" in p.accepts:
-                return curves.outline(ob, depsgraph, scaled=p.name != carrier(shape))
+                return curves.outline(ob, depsgraph, p.name != carrier(shape), p.open)
             if p.name not in paths:
                 paths[p.name] = curves.trajectories(ob, depsgraph)
         return paths[p.name][number]

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from .ends import Flat
 from .triangulate import triangulate
 
 
@@ -29,3 +30,11 @@ def faces(section):
         corners.extend(found.ravel().tolist())
         sizes.extend([found.shape[1]] * len(found))
     return tuple(corners), (0, *np.cumsum(sizes).tolist())
+
+
+def at_ends(section, ends, points):
+    """The faces of two ends, or None where one is not flat or a point, as a grid takes them; an open line has none."""
+    return tuple(
+        faces(section) if isinstance(end, Flat) and section.closed and not point else None
+        for end, point in zip(ends, points, strict=True)
+    )

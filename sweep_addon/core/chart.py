@@ -173,6 +173,7 @@ def lengths_around(section, scale):
     The loops lie side by side, none over another; scale, (2,), stretches the section's axes.
     """
     edges = np.linalg.norm((section.points[section.following] - section.points) * scale, axis=1)
+    edges[section.gaps] = 0.0
     reached = np.concatenate(([0.0], np.cumsum(edges)))
     parts = [reached[start : end + 1] for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True)]
     return np.concatenate(parts)

@@ -98,6 +98,7 @@ def stretched(section, scale):
 def require_seen(section):
     """Refuse a section whose rings, drawn together towards its centroid, would cross."""
     others = "must be flat, open or taper where"
+    require(section.closed, f"{others} the contour is open", "round")
     require((section.areas > 0).all(), f"{others} the contour has holes, which a dome would close", "round")
     require(len(section.areas) == 1, f"{others} the contour has several outlines: sweep each by itself", "round")
     sides = section.points - section.centroid

@@ -176,12 +176,10 @@ class GeneralizedCylinder:
             creases=creases(stations, len(domes[0])),
             offsets=tuple(body.section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(body.section.sharp).tolist()),
-            caps=tuple(
-                caps.faces(body.section) if isinstance(end, Flat) and not (closed or points[station]) else None
-                for end, station in zip(ends, (0, -1), strict=True)
-            ),
+            caps=caps.at_ends(body.section, ends, (closed or points[0], closed or points[-1])),
             seam=closing.seam(body.section, sectors, symmetry) if closed else (),
             domes=tuple(map(len, domes)),
+            gaps=tuple(body.section.gaps.tolist()),
         )
         around = lengths_around(body.section, np.abs(body.scales[~body.tips]).mean(axis=0))
         flat = tuple(body.section.points * body.scales[station] for station in (0, -1))

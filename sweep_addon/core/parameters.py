@@ -121,6 +121,7 @@ class Parameter:
     most: float = inf  # rows of an array, of all together where there are several
     others: dict | None = None  # kinds, and defaults of theirs that are others here
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
+    open: bool = False  # whether a Blender curve that is not cyclic stays open as a contour
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
     group: str = ""  # the sub-panel of the sidebar it is drawn in

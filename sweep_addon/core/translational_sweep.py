@@ -59,7 +59,7 @@ class TranslationalSweep:
     (4.0, 5)
     """
 
-    contour: Contour = parameter(Rectangle(1.0, 1.0), "What moves", accepts=("CURVE", "FONT"))
+    contour: Contour = parameter(Rectangle(1.0, 1.0), "What moves", accepts=("CURVE", "FONT"), open=True)
     height: float = length(1.0, "How far it moves, measured out of its plane", soft_maximum=100.0)
     directions: Directions = parameter(Directions.UP, "Which way it moves from its plane")
     depth: float = length(0.5, "How far it moves down, where it moves in both directions", soft_maximum=100.0)
@@ -123,10 +123,8 @@ class TranslationalSweep:
             creases=tuple(np.flatnonzero(heights == 0).tolist()) if moves.any() and heights[0] < 0 else (),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=tuple(
-                caps.faces(section) if isinstance(end, Flat) and not point else None
-                for end, point in zip((self.start, self.end), points, strict=True)
-            ),
+            caps=caps.at_ends(section, (self.start, self.end), points),
+            gaps=tuple(section.gaps.tolist()),
         )
         flat = tuple(drafted(section, moves, abs(height)).points for height in heights[[0, -1]])
         around = lengths_around(section, np.ones(2))
@@ -159,13 +157,14 @@ class TranslationalSweep:
             loops = len(section.areas)
             require(len(self.tapers) == loops, f"must have one angle a loop, {loops}", len(self.tapers), "tapers")
             return np.tan(self.tapers.values)
-        return np.where(section.areas > 0, tan(self.taper), tan(self.hole_taper))
+        return np.where(section.areas >= 0, tan(self.taper), tan(self.hole_taper))
 
     def drafts(self, section, heights):
         """How far each point goes inwards in a metre of height, (m, 2), and whether the ends are points."""
         slopes = self.slopes(section)
         if not slopes.any():
             return np.zeros_like(section.points), (False, False)
+        require(section.closed, "must be 0 where the contour is open, which has no inside", float(slopes[0]), "taper")
         moves = mitres(section) * slopes[section.loop_of, None]
         points = []
         for height in np.abs(heights[[0, -1]]).tolist():

@@ -53,6 +53,7 @@ def fitted(contour, fit):
     True
     """
     section = contour.section()
+    require(section.closed or fit is Fit.INSCRIBED, "must be inscribed where the contour is open", spelled(fit), "fit")
     apexes = contour.apexes() if fit is not Fit.INSCRIBED and hasattr(contour, "apexes") else None
     if apexes is None:
         return section

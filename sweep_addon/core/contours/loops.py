@@ -36,18 +36,20 @@ def checked_numbers(loop, which):
     return points
 
 
-def apart(points, offsets):
+def apart(points, offsets, closed=True):
     """(m,) bool array: whether each point does not coincide with the next of its loop."""
     step = np.hypot(*(points[following(offsets)] - points).T)
+    if not closed:
+        step[offsets[1:] - 1] = np.inf
     return step > COINCIDENT * np.hypot(*np.ptp(points, axis=0))
 
 
-def without_coincident(points, offsets, sharp):
+def without_coincident(points, offsets, sharp, closed=True):
     """The points that do not coincide with the next of their loop, which inherits their sharpness; refuses too few."""
-    kept = np.flatnonzero(apart(points, offsets))
-    kept_offsets = np.searchsorted(kept, offsets)
+    kept = np.flatnonzero(apart(points, offsets, closed))
+    kept_offsets, least = np.searchsorted(kept, offsets), 3 if closed else 2
     for i, n in enumerate(np.diff(kept_offsets).tolist()):
-        require(n >= 3, f"{spoken(i, len(offsets) - 1)}must have at least 3 different points", n)
+        require(n >= least, f"{spoken(i, len(offsets) - 1)}must have at least {least} different points", n)
     flagged = np.flatnonzero(sharp)
     loop = run_of(offsets)[flagged]
     heir = np.searchsorted(kept, flagged)
@@ -68,9 +70,11 @@ def require_area(points, offsets):
         raise ShapeError(f"{spoken(i, len(firsts))}must enclose an area, got {n} points on one line")
 
 
-def require_apart(points, offsets):
+def require_apart(points, offsets, closed=True):
     """Refuse loops that cross or touch themselves or each other."""
     after = following(offsets)
+    if not closed:
+        after[offsets[1:] - 1] = offsets[1:] - 1  # an edge of no length
     for i, j in crossings(points, after)[:1]:
         x, y = meeting_point(points[i], points[after[i]], points[j], points[after[j]])
         first, second = sorted(run_of(offsets)[[i, j]].tolist())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The outline: closed loops of lines and circular arcs, as a contour with islands and holes."""
+"""The outline: loops of lines and circular arcs, closed, as a contour with islands and holes, or open."""
 
 from functools import lru_cache
 
@@ -17,7 +17,7 @@ CORNERS = ((-0.5, -0.5), (0.5, -0.5), (0.5, -0.3), (-0.3, -0.3), (-0.3, 0.5), (-
 
 @declared
 class Outline:
-    """Closed loops of lines and arcs, with islands and holes
+    """Loops of lines and arcs: closed, with islands and holes, or open, for a surface
 
     What an odd number of loops lies around is inside (the even-odd rule), whichever way they run. An edge is straight
     unless it has a bulge: the tangent of a quarter of its arc's angle, positive where the path turns left. Arcs are
@@ -34,9 +34,7 @@ class Outline:
     1.0
     """
 
-    loops: tuple[Array, ...] = parameter(
-        (CORNERS,), "Corners of each closed loop", columns=2, unit="length", most=MOST_POINTS
-    )
+    loops: tuple[Array, ...] = parameter((CORNERS,), "Corners of each loop", columns=2, unit="length", most=MOST_POINTS)
     bulges: tuple[Array, ...] = parameter(
         (),
         "Bulge of the edge after each corner, loop by loop: tangent of a quarter of its arc's angle, left positive",
@@ -46,9 +44,13 @@ class Outline:
         0.0, "Largest distance of an arc from its chords; 0 is a thousandth of the outline's size", unit="length",
         minimum=0.0,
     )  # fmt: skip
+    closed: bool = parameter(True, "Lead the end of each loop back to its start; open loops make surfaces")
 
     def check(self):
-        """Refuse loops that cross, touch or enclose nothing, and bulges that are not one a corner or beyond 1000."""
+        """Refuse loops that cross, touch or enclose nothing, and bulges that are not one a corner or beyond 1000.
+
+        The last bulge of an open loop is that of no edge.
+        """
         sizes = [len(loop.values) for loop in self.loops]
         got = [len(bulge.values) for bulge in self.bulges]
         require(not got or got == sizes, f"must have one number a corner, {sizes}", got, "bulges")
@@ -58,7 +60,9 @@ class Outline:
 
     @property
     def area(self):
-        """What the lines and arcs enclose, holes taken off, in square metres."""
+        """What the lines and arcs enclose, holes taken off, in square metres; 0 where they are open."""
+        if not self.closed:
+            return 0.0
         corners, offsets, bulges = self.edges()
         start, end = corners, corners[following(offsets)]
         straight = Section(corners, offsets, np.zeros(len(corners), dtype=bool)).areas
@@ -85,7 +89,10 @@ class Outline:
     def edges(self):
         """Where the lines and arcs start, (m, 2), the offsets of the loops, and the bulges, (m,)."""
         corners, offsets = joined(self.loops)
-        return corners, offsets, np.concatenate(self.bulges) if self.bulges else np.zeros(len(corners))
+        bulges = np.concatenate(self.bulges) if self.bulges else np.zeros(len(corners))
+        if not self.closed:
+            bulges[offsets[1:] - 1] = 0.0
+        return corners, offsets, bulges
 
 
 @lru_cache(maxsize=64)
@@ -93,11 +100,11 @@ def flattened(outline):
     """The section of an outline; refuses loops that cross, touch or enclose nothing."""
     with at("loops"):
         if not outline.edges()[2].any():
-            return Section.from_loops(outline.loops)
+            return Section.from_loops(outline.loops, closed=outline.closed)
     raw, _ = chained(outline)
     cuts = raw.offsets[1:-1]
     with at("loops"):
-        return Section.from_loops(np.split(raw.points, cuts), np.split(raw.sharp, cuts))
+        return Section.from_loops(np.split(raw.points, cuts), np.split(raw.sharp, cuts), outline.closed)
 
 
 def chained(outline):
@@ -112,7 +119,9 @@ def chained(outline):
     first = np.cumsum([0, *count])
     sharp = np.zeros(total, dtype=bool)
     sharp[first[:-1]] = np.abs(tangent_turns(start, end, bulges, following(offsets))) > SHARP
-    raw = Section(arc_points(start, end, bulges, count), first[offsets], sharp)
+    if not outline.closed:
+        sharp[first[offsets[:-1]]] = sharp[first[offsets[1:]] - 1] = False
+    raw = Section(arc_points(start, end, bulges, count), first[offsets], sharp, outline.closed)
     return raw, np.repeat(np.tan(np.arctan(bulges) / count), count)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A section: what every contour becomes, closed loops of points in the plane that bound an area."""
+"""A section: what every contour becomes, loops of points in the plane that bound an area, or lines that are open."""
 
 from dataclasses import replace
 from functools import cached_property
@@ -19,7 +19,7 @@ SHARP = np.radians(20)  # an edge that turns by more is a corner; flattened curv
 
 @individual
 class Section:
-    """Loops of points, the area on their left: outer loops counter-clockwise, holes clockwise.
+    """Loops of points, the area on their left: outer loops counter-clockwise, holes clockwise; or open lines.
 
     Parameters
     ----------
@@ -29,6 +29,8 @@ class Section:
         Loop ``i`` is ``points[offsets[i]:offsets[i + 1]]``.
     sharp : (m,) bool array
         Where the outline has a corner, so that the sweep has an edge and not a rounding.
+    closed : bool
+        Whether the last point of each loop leads back to its first; if not, there is no area.
 
     Nothing is checked here: `from_loops` makes a section of loops that may be anything.
 
@@ -42,9 +44,10 @@ class Section:
     points: np.ndarray
     offsets: np.ndarray
     sharp: np.ndarray
+    closed: bool = True
 
     @classmethod
-    def from_loops(cls, loops, sharp=None):
+    def from_loops(cls, loops, sharp=None, closed=True):
         """Check loops and turn them so that the area, by the even-odd rule, lies on their left.
 
         Parameters
@@ -53,6 +56,8 @@ class Section:
             Points in metres, in either direction; a repeated closing point and coincident neighbours are dropped.
         sharp : sequence of (n,) bool array-likes, optional
             Where each loop has a corner; by default where it turns by more than 20 degrees.
+        closed : bool
+            Whether the loops are closed; open ones need two points, and bound no area.
 
         Raises
         ------
@@ -74,15 +79,22 @@ class Section:
         flags = np.zeros(len(points), dtype=bool)
         if sharp is not None:
             flags = np.concatenate([np.asarray(flag, dtype=bool) for flag in sharp])
-        section = cls(*without_coincident(points, offsets, flags))
-        require_area(section.points, section.offsets)
-        require_apart(section.points, section.offsets)
-        section = section.reversed((section.depth % 2 == 1) == (section.areas > 0))
+        section = cls(*without_coincident(points, offsets, flags, closed), closed)
+        if closed:
+            require_area(section.points, section.offsets)
+        require_apart(section.points, section.offsets, closed)
+        if closed:
+            section = section.reversed((section.depth % 2 == 1) == (section.areas > 0))
         return section if sharp is not None else replace(section, sharp=np.abs(section.turns) > SHARP)
 
     @cached_property
+    def gaps(self):
+        """(k,) or (0,) int array: the points that no edge leads on from, the last one of each open loop."""
+        return self.offsets[1:][: 0 if self.closed else None] - 1
+
+    @cached_property
     def following(self):
-        """(m,) int array: the index of the next point of the same loop."""
+        """(m,) int array: the index of the next point of the same loop, after the last one the first."""
         return following(self.offsets)
 
     @cached_property
@@ -93,7 +105,9 @@ class Section:
     @cached_property
     def edge_lengths(self):
         """(m,) float array: the distance from each point to the next of its loop, in metres."""
-        return np.hypot(*(self.points[self.following] - self.points).T)
+        lengths = np.hypot(*(self.points[self.following] - self.points).T)
+        lengths[self.gaps] = 0.0
+        return lengths
 
     @cached_property
     def perimeters(self):
@@ -103,6 +117,8 @@ class Section:
     @cached_property
     def areas(self):
         """(k,) float array: what each loop encloses, holes negative, in square metres."""
+        if not self.closed:
+            return np.zeros(len(self.offsets) - 1)
         x, y = (self.points - self.points[self.offsets[:-1]][self.loop_of]).T
         return np.add.reduceat(x * y[self.following] - y * x[self.following], self.offsets[:-1]) / 2
 
@@ -113,12 +129,19 @@ class Section:
 
     @cached_property
     def centroid(self):
-        """(2,) float array: the centroid of the enclosed area, in metres."""
+        """(2,) float array: the centroid of the enclosed area, in metres; of open lines, that of the lines."""
+        if not self.closed:
+            return self.middle
         origin = self.points[0]
         here = self.points - origin
         there = here[self.following]
         twice = here[:, 0] * there[:, 1] - here[:, 1] * there[:, 0]
         return origin + twice @ (here + there) / (3 * twice.sum())
+
+    @cached_property
+    def middle(self):
+        """(2,) float array: the centroid of the lines themselves, in metres."""
+        return self.edge_lengths @ (self.points + self.points[self.following]) / (2 * self.edge_lengths.sum())
 
     @cached_property
     def size(self):
@@ -133,11 +156,14 @@ class Section:
         before, after = edges, edges[self.following]
         sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
         turns[self.following] = np.arctan2(sine, dot(before, after))
+        turns[self.gaps] = turns[self.following[self.gaps]] = 0.0
         return turns
 
     @cached_property
     def nesting(self):
-        """(c, 2) int array: all pairs of a loop and one that it lies in."""
+        """(c, 2) int array: all pairs of a loop and one that it lies in; none where they are open."""
+        if not self.closed:
+            return np.zeros((0, 2), dtype=int)
         return nesting(self.points, self.offsets)
 
     @cached_property
@@ -158,17 +184,17 @@ class Section:
     @cached_property
     def symmetry(self):
         """In how many turns about the reference point the section is mapped to itself; 1 if by none but a whole one."""
-        return symmetry(self)
+        return symmetry(self) if self.closed else 1
 
     @cached_property
     def is_round(self):
         """Whether no turn can be seen: smooth loops, each mapped to itself by as many turns as it has points."""
-        return not self.sharp.any() and bool((np.diff(self.offsets) == self.symmetry).all())
+        return self.closed and not self.sharp.any() and bool((np.diff(self.offsets) == self.symmetry).all())
 
     def reversed(self, which):
-        """The section with the loops where (k,) bools say so run backwards, each from the same first point."""
+        """The section with the loops where (k,) bools say so run backwards, closed ones from the same first point."""
         first = self.offsets[:-1][self.loop_of]
         place = np.arange(len(self.points)) - first
         size = np.diff(self.offsets)[self.loop_of]
-        order = first + np.where(which[self.loop_of], -place % size, place)
+        order = first + np.where(which[self.loop_of], -place % size if self.closed else size - 1 - place, place)
         return replace(self, points=self.points[order], sharp=self.sharp[order])
