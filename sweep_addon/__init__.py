@@ -15,11 +15,13 @@ from .core.forms import dump
 from .core.generalized_cylinder import GeneralizedCylinder
 from .core.mesh import Mesh
 from .core.parameters import ShapeError
+from .core.rotational_sweep import RotationalSweep
 from .core.translational_sweep import TranslationalSweep
 
 __all__ = [
     "GeneralizedCylinder",
     "Mesh",
+    "RotationalSweep",
     "ShapeError",
     "TranslationalSweep",
     "contours",

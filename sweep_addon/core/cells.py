@@ -19,6 +19,11 @@ NOISE = 64 * np.finfo(float).eps  # of the largest derivative: the rounding of a
 ROUNDING = 1e-13  # of the length: differences over less are noise
 
 
+def chord_angle(chord, radius):
+    """The angle in radians of a chord whose middle is so far from the circle of a radius, at most half a turn."""
+    return 4 * np.arcsin(np.sqrt(min(chord / radius, 1.0) / 2))
+
+
 def cells(trajectory, chord, extra):
     """Small cells of a trajectory, and what each asks for.
 

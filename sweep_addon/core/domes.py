@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .cells import WIDEST_TURN
+from .cells import WIDEST_TURN, chord_angle
 from .contours import Fit
 from .ends import Round
 from .frozen import individual
@@ -154,8 +154,7 @@ def half_breadth(section):
 def steps(samples, radius, points):
     """How many rings there are from the contour of so many points to the tip of a dome as round as a radius."""
     if isinstance(samples, Tolerance):
-        turn = 4 * np.arcsin(np.sqrt(min(samples.chord / radius, 1.0) / 2))
-        wanted = np.pi / 2 / turn
+        wanted = np.pi / 2 / chord_angle(samples.chord, radius)
         most = f"must be larger: a round end takes {wanted:,.0f} contours of {MOST_STATIONS:,} at most"
         require(wanted <= MOST_STATIONS, most, samples.chord, "samples.chord")
     else:

@@ -213,7 +213,7 @@ class GeneralizedCylinder:
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
         backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
         if mirrored != backward:
-            section, scale_x, rings[1] = mirror(section), -scale_x, -rings[1]
+            section, scale_x, rings[1] = section.mirrored, -scale_x, -rings[1]
         return Body(section, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told + warned)
 
     def frames(self, most=100):
@@ -321,10 +321,3 @@ def running_backward(stations, rings, centroid, moved):
     return False, (
         f"Contour: near u = {place:.4g} it is beyond the centre of curvature, and the sweep runs back through itself.",
     )
-
-
-@lru_cache(maxsize=16)
-def mirror(section):
-    """The section seen in a mirror along y, its area on the left again."""
-    flipped = replace(section, points=section.points * (-1, 1))
-    return flipped.reversed(np.full(len(section.offsets) - 1, True))

@@ -15,7 +15,7 @@ from .contours import Contour, Fit, Rectangle
 from .directions import Cubic, Direction
 from .drawn import affine, drawn
 from .frames import Frames, turn
-from .generalized_cylinder import ATTRIBUTES, mirror, running_backward, section_of
+from .generalized_cylinder import ATTRIBUTES, running_backward, section_of
 from .grid import Grid
 from .leaning import Leaning
 from .limits import Flat, Limit, Open, Plane
@@ -108,9 +108,10 @@ class PDCurveSweep:
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
             caps=tuple(
-                None if stations.closed or isinstance(limit, Open) else caps.faces(outline)
+                caps.faces(outline) if outline.closed and not (stations.closed or isinstance(limit, Open)) else None
                 for limit, outline in zip(limits, outlines, strict=True)
             ),
+            gaps=tuple(section.gaps.tolist()),
         )
         rings = np.stack((axis.points, axis.e2, axis.e3))
         vertices = drawn(grid, affine(section.points), rings, dtype)
@@ -142,7 +143,7 @@ class PDCurveSweep:
         rings = np.stack((axis.points, axis.e2, axis.e3))
         backward, warned = running_backward(stations, rings, section.centroid, False)
         if backward:
-            section, bending = mirror(section), replace(bending, mirrored=True)
+            section, bending = section.mirrored, replace(bending, mirrored=True)
         return section, bending, stations, told + warned
 
     def rings(self, section, bending, stations, limits):

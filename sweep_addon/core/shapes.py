@@ -4,8 +4,11 @@
 
 from .generalized_cylinder import GeneralizedCylinder
 from .parameters import spelled
+from .rotational_sweep import RotationalSweep
 from .translational_sweep import TranslationalSweep
 
-CLASSIFICATION = {"Planar Generator": (TranslationalSweep, GeneralizedCylinder)}  # the lecture's, in its order
+CLASSIFICATION = {
+    "Planar Generator": (TranslationalSweep, RotationalSweep, GeneralizedCylinder)
+}  # the lecture's, in its order
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

@@ -191,6 +191,12 @@ class Section:
         """Whether no turn can be seen: smooth loops, each mapped to itself by as many turns as it has points."""
         return self.closed and not self.sharp.any() and bool((np.diff(self.offsets) == self.symmetry).all())
 
+    @cached_property
+    def mirrored(self):
+        """The section seen in a mirror along y, its area on the left again."""
+        flipped = replace(self, points=self.points * (-1, 1))
+        return flipped.reversed(np.full(len(self.offsets) - 1, True))
+
     def reversed(self, which):
         """The section with the loops where (k,) bools say so run backwards, closed ones from the same first point."""
         first = self.offsets[:-1][self.loop_of]

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parting: a section at an axis of rotation, the line x = 0: where they meet, and what is on either side."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .contours import Section
+from .contours.loops import COINCIDENT
+
+
+def on_axis(section):
+    """The section with the points that cannot be told from the axis moved onto it, so that x is 0.
+
+    Of those in the middle of a stretch along the axis, and of such a stretch at the end of an open line, a rotation
+    leaves nothing: they are dropped.
+    """
+    points = section.points.copy()
+    points[np.abs(points[:, 0]) <= COINCIDENT * section.size, 0] = 0.0
+    here = points[:, 0] == 0
+    ahead, before = here[section.following], np.empty_like(here)
+    before[section.following] = here
+    if not section.closed:
+        before[section.offsets[:-1]] = ahead[section.gaps] = True
+    return kept(replace(section, points=points), ~(here & ahead & before))
+
+
+def kept(section, which):
+    """The section with those of its points that (m,) bools say, and the loops of two of them at least."""
+    counts = np.add.reduceat(which, section.offsets[:-1])
+    which = which & (counts > 1)[section.loop_of]
+    offsets = np.concatenate(([0], np.cumsum(counts[counts > 1])))
+    return replace(section, points=section.points[which], sharp=section.sharp[which], offsets=offsets)
+
+
+def sides(section):
+    """Whether the section reaches to the left and to the right of the axis."""
+    x = section.points[:, 0]
+    return bool((x < 0).any()), bool((x > 0).any())
+
+
+def with_crossings(section):
+    """The section with a point wherever an edge crosses the axis."""
+    start, end = section.points, section.points[section.following]
+    edges = np.flatnonzero(start[:, 0] * end[:, 0] < 0)
+    edges = edges[~np.isin(edges, section.gaps)]
+    (x, y), (across, along) = start[edges].T, (end - start)[edges].T
+    crossings = np.stack((np.zeros(len(edges)), y - x * along / across), axis=1)
+    return replace(
+        section,
+        points=np.insert(start, edges + 1, crossings, axis=0),
+        sharp=np.insert(section.sharp, edges + 1, False),
+        offsets=section.offsets + np.searchsorted(edges, section.offsets),
+    )
+
+
+def parted(section):
+    """The parts of a section on either side of the axis, each closed along the axis where the section is: sections.
+
+    Examples
+    --------
+    >>> from .contours import Rectangle
+    >>> left, right = parted(Rectangle(2, 2).section())
+    >>> left.areas.tolist(), right.points.tolist()
+    ([2.0], [[0.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.0, 1.0]])
+    """
+    section = with_crossings(section)
+    return tuple(part(section, side) for side, there in zip((-1, 1), sides(section), strict=True) if there)
+
+
+def part(section, side):
+    """What is on the left (-1) or on the right (1) of the axis, of a section with a point at each crossing."""
+    whole, chains = runs(section, np.sign(section.points[:, 0]) == side)
+    loops = [*whole, *(closed_up(section.points, chains) if section.closed else chains)]
+    order = np.concatenate(loops)
+    offsets = np.cumsum([0, *map(len, loops)])
+    return Section(section.points[order], offsets, section.sharp[order], section.closed)
+
+
+def runs(section, there):
+    """The loops that are there as a whole, and the chains of points that are, each with its ends on the axis."""
+    whole, chains = [], []
+    for start, end in zip(section.offsets[:-1].tolist(), section.offsets[1:].tolist(), strict=True):
+        flags, points = there[start:end], np.arange(start, end)
+        if flags.all():
+            whole.append(points)
+            continue
+        if section.closed:  # begin with one that is not there
+            points = np.roll(points, -int(np.argmin(flags)))
+            points = np.append(points, points[0])
+        flags = np.concatenate(([False], there[points], [False]))
+        first, past = np.flatnonzero(~flags[:-1] & flags[1:]), np.flatnonzero(flags[:-1] & ~flags[1:])
+        chains += [points[max(i - 1, 0) : j + 1] for i, j in zip(first.tolist(), past.tolist(), strict=True)]
+    return whole, chains
+
+
+def closed_up(points, chains):
+    """Loops of chains joined along the axis: beside it what is inside lies between every other two of their ends.
+
+    Ends in one place are ordered by the directions in which their chains leave the axis.
+    """
+    heads = [(*leaving(points, chain), i, False) for i, chain in enumerate(chains)]
+    tails = [(*leaving(points, chain[::-1]), i, True) for i, chain in enumerate(chains)]
+    ordered = sorted(heads + tails)
+    following = {}
+    for one, other in zip(ordered[::2], ordered[1::2], strict=True):
+        (*_, tail, _), (*_, head, _) = sorted((one, other), key=lambda end: not end[-1])
+        following[tail] = head
+    while following:
+        first, after = following.popitem()
+        loop = [chains[first]]
+        while after != first:
+            loop.append(chains[after])
+            after = following.pop(after)
+        ring = np.concatenate(loop)
+        yield ring[ring != np.roll(ring, -1)]
+
+
+def leaving(points, chain):
+    """Where on the axis a chain begins, and its slope there."""
+    (_, y), (x, up) = points[chain[0]], points[chain[1]]
+    return y, (up - y) / abs(x)

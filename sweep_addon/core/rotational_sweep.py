@@ -1,0 +1,248 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rotational sweep: a contour turned about an axis in its plane, all round or in part, or along a screw."""
+
+from dataclasses import replace
+from enum import Enum
+from functools import lru_cache
+from math import ceil, copysign, sin, sqrt, tau
+
+import numpy as np
+
+from . import caps, parting
+from .cells import WIDEST_BEND, chord_angle
+from .chart import Chart, Texture, lengths_around
+from .contours import Contour, Fit, Outline, fitted
+from .drawn import affine, drawn
+from .ends import Cap, Flat
+from .frames import Frames
+from .grid import Grid
+from .joining import joined
+from .mesh import Mesh, require_few
+from .parameters import ShapeError, angle, declared, parameter, require
+from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
+
+ATTRIBUTES = "UVs and Attributes"
+WHOLE = 1e-6  # of a turn: an angle so close to one closes
+MOST_TURNS = 10_000
+WIDEST = tau / 3  # of a step: two are no turn
+PULLEY = ((0.25, -0.4), (1.0, -0.4), (0.7, 0.0), (1.0, 0.4), (0.25, 0.4))
+
+
+class Crossing(Enum):
+    REFUSE = "A contour on both sides of the axis is refused"
+    KEEP = "It is swept as it is: the sweep passes through itself on the axis"
+    SPLIT = "It is cut along the axis: each side makes a body of its own"
+
+
+@declared
+class RotationalSweep:
+    """A contour that turns about an axis in its plane: a solid of revolution, or a screw
+
+    It turns as a right hand does whose thumb shows along the axis. A point of the contour on the axis is one vertex, a
+    pole; an edge along the axis leaves nothing. With a pitch the contour rises along the axis as it turns.
+
+    Examples
+    --------
+    The volume is the area of the contour times the way of its centroid (Pappus), but for the chords of the turn.
+
+    >>> from math import pi, sin, tau
+    >>> from sweep_addon.core.sampling import Count
+    >>> ring = RotationalSweep(Outline([[(1, 0), (2, 0), (2, 1), (1, 1)]]), samples=Count(12)).mesh()
+    >>> round(ring.volume() / (1.5 * tau * sin(tau / 12) / (tau / 12)), 12), ring.euler_characteristic()
+    (1.0, 0)
+    """
+
+    contour: Contour = parameter(Outline([PULLEY]), "What turns", accepts=("CURVE", "FONT"), open=True)
+    angle: float = angle(tau, "How far it turns; a whole turn closes", minimum=-MOST_TURNS * tau,
+                         maximum=MOST_TURNS * tau)  # fmt: skip
+    pitch: float = parameter(0.0, "How far it rises along the axis in a turn", unit="length")
+    samples: Sampling = parameter(Tolerance(), "How many contours stand round the axis")
+    axis_point: tuple[float, float] = parameter(
+        (0.0, 0.0), "A point of the axis, in the contour's plane", unit="length", group="Axis"
+    )
+    axis_direction: tuple[float, float] = parameter((0.0, 1.0), "Where the axis runs", group="Axis")
+    crossing: Crossing = parameter(Crossing.REFUSE, "What becomes of a contour that crosses the axis", group="Axis")
+    start: Cap = parameter(Flat(), "What closes the start", group="Ends")
+    end: Cap = parameter(Flat(), "What closes the end", group="Ends")
+    texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
+    attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
+    fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape: inscribed, or of the true volume")
+
+    def check(self):
+        """Refuse no angle or more than a turn without a pitch, and an axis without a direction."""
+        require(self.angle, "must not be 0", self.angle, "angle")
+        once = self.pitch or abs(self.angle) <= tau * (1 + WHOLE)
+        require(once, f"must be at most a turn, {tau:.6g}, without a pitch", self.angle, "angle")
+        require(any(self.axis_direction), "must have a length", list(self.axis_direction), "axis_direction")
+        boxed = self.fit is Fit.CIRCUMSCRIBED
+        require(not boxed, "must be inscribed or area-true for a rotational sweep", "circumscribed", "fit")
+
+    @property
+    def closed(self):
+        """Whether the end is the start."""
+        return not self.pitch and abs(self.angle) >= tau * (1 - WHOLE)
+
+    @property
+    def turn(self):
+        """The angle, exactly a turn where it closes."""
+        return copysign(tau, self.angle) if self.closed else self.angle
+
+    def mesh(self, dtype=np.float64):
+        """The surface as a mesh: closed, manifold and outward unless an end is open.
+
+        Parameters
+        ----------
+        dtype : numpy dtype
+            Of the vertices, which are in metres.
+
+        Returns
+        -------
+        Mesh
+
+        Raises
+        ------
+        ShapeError
+            Where the contour crosses the axis and that is refused, where it runs along the axis and there is a pitch,
+            or where there would be too many vertices.
+
+        Examples
+        --------
+        A ball is a half disc turned round: two poles, and rings of eight between them.
+
+        >>> half = Outline([[(0, -1), (0, 1)]], bulges=[(1, 0)], tolerance=0.1)
+        >>> len(half.section().points), RotationalSweep(half, samples=Count(8)).mesh().vertices.shape
+        (7, (42, 3))
+        """
+        return joined([self.body(section, dtype) for section in self.sections()])
+
+    def sections(self):
+        """The sections that turn, x across the axis and y along it, which is one unless the contour is split."""
+        across = (self.axis_point, self.axis_direction)
+        sections = about_axis(self.contour, self.fit, *across, self.crossing, bool(self.pitch))
+        for section in sections:
+            along = section.closed and self.pitch and len(between_poles(section))
+            require(not along, "must be 0 for a contour with an edge along the axis", self.pitch, "pitch")
+        return sections
+
+    def body(self, section, dtype):
+        """The mesh of one section."""
+        turns, told = self.turns(section), ()
+        require_few(len(turns) * len(section.points), "samples")
+        if all(parting.sides(section)):
+            told = ("Contour: it crosses the axis, and the sweep passes through itself there.",)
+        rings = self.rings(turns)
+        if (section.centroid[0] > 0) == (self.angle > 0):  # towards the back of the contour's plane
+            section, rings[1] = section.mirrored, -rings[1]
+        poles = () if self.pitch else np.flatnonzero(section.points[:, 0] == 0).tolist()
+        grid = Grid(
+            rings=len(turns),
+            tips=(),
+            closed=self.closed,
+            creases=(),
+            offsets=tuple(section.offsets.tolist()),
+            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
+            caps=caps.at_ends(section, (self.start, self.end), (self.closed, self.closed)),
+            gaps=tuple(np.union1d(between_poles(section), section.gaps).tolist()),
+            poles=tuple(poles),
+        )
+        middles = (section.points + section.points[section.following])[:, 0] / 2
+        radius = section.edge_lengths @ np.abs(middles) / section.edge_lengths.sum()
+        way = sqrt(radius**2 + (self.pitch / tau) ** 2)  # in a radian, of the contour's mean
+        around = lengths_around(section, np.ones(2))
+        flat = (section.points, section.points)
+        s, total = np.abs(turns) * way, abs(self.turn) * way
+        chart = Chart(grid, turns, s, total, around, flat, self.texture, self.attributes)
+        return Mesh(drawn(grid, affine(section.points), rings, dtype), grid.topology(), chart, told)
+
+    def turns(self, section):
+        """The angles at which contours stand: (n,) float array; a whole turn is not among them where it closes."""
+        size = abs(self.turn)
+        if isinstance(self.samples, Count):
+            steps = self.samples.contours - (not self.closed)
+            least = ceil(size / WIDEST - WHOLE)
+            sentence = f"must be at least {least + (not self.closed)} for this angle"
+            require(steps >= least, sentence, self.samples.contours, "samples.contours")
+        else:
+            radius = float(np.abs(section.points[:, 0]).max())
+            wanted = size / min(chord_angle(self.samples.chord, radius), WIDEST_BEND)
+            most = f"must be larger: this turn takes {wanted:,.0f} contours of {MOST_STATIONS:,} at most"
+            require(wanted <= MOST_STATIONS, most, self.samples.chord, "samples.chord")
+            steps = max(ceil(wanted - WHOLE), 1)
+        return np.linspace(0, self.turn, steps + 1)[: steps if self.closed else None]
+
+    def rings(self, turns):
+        """The place of the axis' point at each turn, and the axes across and along it: (3, n, 3) float array."""
+        along = np.append(self.axis_direction, 0.0) / np.hypot(*self.axis_direction)
+        across, down = np.array((along[1], -along[0], 0.0)), np.array((0.0, 0.0, -1.0))
+        step = abs(self.turn) / (len(turns) - (not self.closed))
+        wider = sqrt(step / sin(step)) if self.fit is Fit.AREA_TRUE else 1.0  # sectors as large as those of a circle
+        radial = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * down
+        place = np.append(self.axis_point, 0.0) + (self.pitch / tau * turns)[:, None] * along
+        return np.stack((place, wider * radial, np.broadcast_to(along, place.shape)))
+
+    def frames(self, most=100):
+        """The frames and contours at the stations, or at places spread evenly among them.
+
+        Parameters
+        ----------
+        most : int
+            Of places.
+
+        Returns
+        -------
+        Frames
+            The trajectory is that of the contour's centroid.
+
+        Examples
+        --------
+        >>> frames = RotationalSweep(samples=Count(4)).frames()
+        >>> frames.e1[0].tolist(), frames.contours[0].shape
+        ([0.0, 0.0, -1.0], (4, 5, 3))
+        """
+        require(most >= 2, "must be at least 2", most, "most")
+        sections = self.sections()
+        turns = self.turns(sections[0])
+        turns = turns[np.unique(np.linspace(0, len(turns) - 1, min(most, len(turns))).round().astype(int))]
+        rings = replace(self, fit=Fit.INSCRIBED).rings(turns)
+        contours = (np.einsum("mk,kni->nmi", affine(each.points), rings) for each in sections)
+        loops = (np.split(c, each.offsets[1:-1], axis=1) for c, each in zip(contours, sections, strict=True))
+        x, y = sections[0].centroid
+        sense = copysign(1.0, self.angle)
+        onward = np.cross(rings[2], rings[1]) * x + self.pitch / tau * rings[2]
+        length = float(np.linalg.norm(onward[0]))
+        points = rings[0] + x * rings[1] + y * rings[2]
+        tangents = sense * (onward / length if length else np.cross(rings[2], rings[1]))
+        return Frames(turns, np.abs(turns) * length, points, tangents, rings[1], rings[2], tuple(sum(loops, [])))
+
+
+def between_poles(section):
+    """The points of a section from which an edge runs along the axis."""
+    here = section.points[:, 0] == 0
+    along = here & here[section.following]
+    along[section.gaps] = False
+    return np.flatnonzero(along)
+
+
+@lru_cache(maxsize=16)
+def about_axis(contour, fit, point, direction, crossing, screw):
+    """The sections of a contour as an axis sees it, x across it to its right and y along it, made once for equal ones.
+
+    Raises
+    ------
+    ShapeError
+        Where the contour is on both sides of the axis and that is refused, or where nothing of it is off the axis.
+    """
+    section = fitted(contour, fit)
+    x, y = np.array(direction) / np.hypot(*direction)
+    turned = (section.points - point) @ np.array([[y, x], [-x, y]])
+    section = parting.on_axis(replace(section, points=turned))
+    left, right = parting.sides(section)
+    require(left or right, "must not lie on the axis", "a line along it", "contour")
+    if not (left and right) or crossing is Crossing.KEEP:
+        return (section if screw else parting.with_crossings(section),)
+    if crossing is Crossing.REFUSE:
+        low, high = section.points[:, 0].min(), section.points[:, 0].max()
+        one_side = "must be on one side of the axis, or crossing be keep or split"
+        raise ShapeError(f"{one_side}, got one from {low:.6g} to {high:.6g} m across it", "contour")
+    return parting.parted(section)
