@@ -47,7 +47,7 @@ class OBJECT_OT_sweep_selected(Operator):
         carrier = objects.carrier(shape)
         given = roles(context, self.swap) if carrier == "trajectory" else {carrier: contour(context)}
         try:
-            mesh = objects.new_mesh(shape(), objects.title(shape), **given)
+            mesh = objects.new_mesh(objects.suited(shape, given), objects.title(shape), **given)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -119,6 +119,13 @@ def carrier(shape):
     return "trajectory" if "trajectory" in names else "contour"
 
 
+def suited(shape, given):
+    """A shape to begin with for some objects: a rotation is about an axis that the contour does not cross."""
+    if not hasattr(shape, "beside"):
+        return shape()
+    return shape.beside(curves.outline(given["contour"], scaled=False, may_be_open=True))
+
+
 def title(shape):
     """The name of a shape's class for people."""
     return spelled(shape, " ").title()

@@ -78,6 +78,18 @@ class RotationalSweep:
         boxed = self.fit is Fit.CIRCUMSCRIBED
         require(not boxed, "must be inscribed or area-true for a rotational sweep", "circumscribed", "fit")
 
+    @classmethod
+    def beside(cls, contour):
+        """The sweep of a contour about the y axis or, where that would cross it, about a line along its left side.
+
+        >>> from sweep_addon.core.contours import Circle
+        >>> RotationalSweep.beside(Circle(0.5)).axis_point
+        (-0.5, 0.0)
+        """
+        x = contour.section().points[:, 0]
+        crosses = x.min() < 0 < x.max()
+        return cls(contour, axis_point=(float(x.min()), 0.0)) if crosses else cls(contour)
+
     @property
     def closed(self):
         """Whether the end is the start."""

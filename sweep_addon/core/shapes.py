@@ -7,8 +7,7 @@ from .parameters import spelled
 from .rotational_sweep import RotationalSweep
 from .translational_sweep import TranslationalSweep
 
-CLASSIFICATION = {
-    "Planar Generator": (TranslationalSweep, RotationalSweep, GeneralizedCylinder)
-}  # the lecture's, in its order
+PLANAR = (TranslationalSweep, RotationalSweep, GeneralizedCylinder)  # in the lecture's order
+CLASSIFICATION = {"Planar Generator": PLANAR}
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them
