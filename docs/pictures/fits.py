@@ -9,15 +9,13 @@ import sys
 from math import pi
 from pathlib import Path
 
-import bpy
 import numpy as np
 
 from bl_ext.user_default import sweep_addon as sw
 from bl_ext.user_default.sweep_addon.sweep_addon.batch import scene, studio
-from bl_ext.user_default.sweep_addon.sweep_addon.batch.camera import axes
-from bl_ext.user_default.sweep_addon.sweep_addon.batch.job import Job, Render
+from bl_ext.user_default.sweep_addon.sweep_addon.batch.job import Render
 
-RENDER = Render(width=1200, height=420, azimuth=-pi / 2, elevation=0.9, margin=0.02, samples=64, ground=False)
+RENDER = Render(width=1200, height=420, azimuth=-pi / 2, elevation=0.9, margin=0.02, samples=64)
 TRUE = Render(side=(0.16, 0.42, 0.66), caps=(0.55, 0.75, 0.88))
 APART = 3.1
 
@@ -33,29 +31,17 @@ def true():
 
 
 def main(picture):
-    first = coarse("inscribed")
-    ob = scene.compose(Job(first, RENDER, ""), "inscribed")
+    scene.empty()
     shown = []
     for place, fit in enumerate(("inscribed", "area-true", "circumscribed")):
-        if place:
-            ob = sw.to_object(coarse(fit), fit)
-            studio.paint(ob.data, RENDER)
-        ob.data.polygons.foreach_set("use_smooth", np.zeros(len(ob.data.polygons), bool))
-        inner = sw.to_object(true(), f"true {fit}")
-        studio.paint(inner.data, TRUE)
-        for part in (ob, inner):
+        tube, inner = sw.to_object(coarse(fit), fit), sw.to_object(true(), f"true {fit}")
+        tube.data.polygons.foreach_set("use_smooth", np.zeros(len(tube.data.polygons), bool))
+        for part, look in ((tube, RENDER), (inner, TRUE)):
+            studio.paint(part.data, look)
             part.location.x = place * APART
             shown.append(part)
-    bpy.context.view_layer.update()
-    points = np.concatenate([scene.places(part) for part in shown])
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle, radius = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
-    scene.stand(bpy.context.scene, points, axes(RENDER.azimuth, RENDER.elevation), RENDER)
-    for lamp in list(bpy.data.lights):
-        bpy.data.lights.remove(lamp)
-    studio.illuminate(bpy.context.scene, middle, radius, RENDER.azimuth)
-    studio.lay_ground(bpy.context.scene, (*middle[:2], low[2]), radius, RENDER.background)
-    scene.render_picture(Job(first, RENDER, ""), picture)
+    scene.stage(shown, RENDER)
+    scene.render_picture(RENDER, picture)
 
 
 main(Path(sys.argv[sys.argv.index("--") + 1]))

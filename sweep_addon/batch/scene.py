@@ -41,13 +41,33 @@ def compose(job, name, frame=0):
     bpy.types.Object
         The shape, active and selected.
     """
+    empty()
+    ob = objects.to_object(job.shape, name)
+    studio.paint(ob.data, job.render)
+    stage([ob], job.render, frame)
+    return ob
+
+
+def empty():
+    """Leave nothing in Blender."""
     if not hasattr(bpy.types.Mesh, "sweep"):  # Blender is a Python module, where no extension is enabled
         properties.register()
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-    scene, render = bpy.context.scene, job.render
-    ob = objects.to_object(job.shape, name)
-    studio.paint(ob.data, render)
-    points = places(ob)
+
+
+def stage(shown, render, frame=0):
+    """Put objects into a studio as large as they are; the first becomes the active one.
+
+    Parameters
+    ----------
+    shown : list of bpy.types.Object
+    render : Render
+    frame : int
+        Which picture of a turn round them, from 1; 0 for the first.
+    """
+    scene = bpy.context.scene
+    bpy.context.view_layer.update()  # of objects that were moved since
+    points = np.concatenate([places(ob) for ob in shown])
     low, high = points.min(axis=0), points.max(axis=0)
     radius = max(float(np.linalg.norm(high - low)) / 2, 1e-6)
     middle = (low + high) / 2
@@ -61,17 +81,16 @@ def compose(job, name, frame=0):
         studio.lay_ground(scene, (*middle[:2], low[2]), radius, render.background)
     settle(scene, render)
     for other in scene.objects:
-        other.select_set(other == ob)
-    bpy.context.view_layer.objects.active = ob
-    return ob
+        other.select_set(other in shown)
+    bpy.context.view_layer.objects.active = shown[0]
 
 
-def render_picture(job, output):
-    """Render the composed scene of a job into a file, written whole or not at all."""
+def render_picture(render, output):
+    """Render the staged scene into a file, written whole or not at all."""
     scene = bpy.context.scene
     with whole(output) as path, silent():
         scene.render.image_settings.file_format = PICTURES[output.suffix.lower()]
-        alpha = job.render.transparent and output.suffix.lower() != ".jpg"
+        alpha = render.transparent and output.suffix.lower() != ".jpg"
         scene.render.image_settings.color_mode = "RGBA" if alpha else "RGB"
         scene.render.use_file_extension = False
         scene.render.filepath = str(path)

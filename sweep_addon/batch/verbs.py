@@ -67,7 +67,7 @@ def render(told):
             scene.compose(job, job.path.stem, frame)
         written = output if frame == told.frame else numbered(output, frame)
         tell(f"rendering {written.name}, {job.render.width} x {job.render.height}")
-        scene.render_picture(job, written)
+        scene.render_picture(job.render, written)
         say(written)
     return 0
 
