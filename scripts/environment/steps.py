@@ -13,10 +13,12 @@ from contextlib import contextmanager
 
 from . import SetupError
 
+NEWS = 20  # seconds from one line to the next of a step that takes long, where lines are not written over
+
 
 def step(title, command, way_out="", timeout=1800, **options):
     """Run a command whose output is one line here; if it fails, its last lines are shown and the way out is said."""
-    start = time.monotonic()
+    start, said = time.monotonic(), 0
     with tempfile.TemporaryFile("w+", errors="replace") as log:
         try:
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, **options)
@@ -27,7 +29,10 @@ def step(title, command, way_out="", timeout=1800, **options):
                 seconds = time.monotonic() - start
                 if seconds > timeout:
                     raise SetupError(f"{title}: no end after {timeout} s. {way_out}".strip())
-                show(f"{title} ... {seconds:.0f} s  {last_line(log)}", end="")
+                news = int(seconds // NEWS)
+                written_over = sys.stderr.isatty() or news == said
+                show(f"{title} ... {seconds:.0f} s  {last_line(log)}", end="" if written_over else "\n")
+                said = news
                 time.sleep(0.2 if seconds > 1 else 0.02)
         finally:
             if process.poll() is None:

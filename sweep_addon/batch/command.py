@@ -43,6 +43,7 @@ def parser():
         verb.add_argument("--again", action="store_true", help="write also what is already finished in DIR")
         verb.add_argument("--parallel", metavar="N", type=int, default=1, help="processes at a time (%(default)s)")
         verb.set_defaults(act=act)
+    render.add_argument("--progress", action="store_true", help="say how far it is also where that is no terminal")
     render.add_argument("--frame", metavar="N", type=int, default=0, help="only this picture of a turn, from 1")
 
     check = commands.add_parser("check", help="say whether jobs are right", description=verbs.check.__doc__)

@@ -52,7 +52,8 @@ def check_output(path, suffixes):
     """The absolute path of an output, refused before anything is done for it."""
     path = Path(path).absolute()
     require(path.suffix.lower() in suffixes, f"must end in {', '.join(suffixes)}", path.name, "output")
-    require(path.parent.is_dir(), "must be in a folder that exists", str(path.parent), "output")
+    there = next(folder for folder in path.parents if folder.exists())
+    require(there.is_dir(), "must be in a folder", str(there), "output")
     require(not path.is_dir(), "must be a file", str(path), "output")
     return path
 
@@ -72,6 +73,7 @@ def whole(output):
     output : Path
         Absolute. Other files written beside it, as an .obj's materials, go to its folder too.
     """
+    output.parent.mkdir(parents=True, exist_ok=True)
     part = output.with_name(f".sweep-{output.name}.part")  # a name that is this program's alone
     shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
     try:

@@ -61,13 +61,14 @@ def render(told):
     output, job = check_output(told.output, PICTURES), only_job(told)
     frames = numbers(job, told.frame)
     from . import scene
+    from .watching import watched
 
     for frame in frames:
         with pointing_at(job):
             scene.compose(job, job.path.stem, frame)
         written = output if frame == told.frame else numbered(output, frame)
-        tell(f"rendering {written.name}, {job.render.width} x {job.render.height}")
-        scene.render_picture(job.render, written)
+        with watched(f"rendering {written.name}, {job.render.width} x {job.render.height}", told.progress):
+            scene.render_picture(job.render, written)
         say(written)
     return 0
 
@@ -147,7 +148,8 @@ def run_many(verb, told, frame=0):
     code = refused
     with ThreadPoolExecutor(max_workers=told.parallel) as executor:
         for number, result in enumerate(run(tasks, program(told.arguments), executor, told.again), 1):
-            tell(f"{number} of {len(tasks)}: {Path(result.task.output).name} {result.state}")
+            if result.state == "skipped" or sys.stderr.isatty():
+                sys.stderr.write(f"{number} of {len(tasks)}: {Path(result.task.output).name} {result.state}\n")
             if result.state == "failed":
                 sys.stderr.write(f"{result.task.job}: {result.sentence}\n")
                 code = code or 1

@@ -20,6 +20,7 @@ from .rotations import rotated, signed_angle, turned, wrapped
 from .trajectories.arc_length import arc_length
 from .transport import transport
 from .vectors import unit
+from .wording import near
 
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
 
@@ -131,10 +132,10 @@ class Frenet(OfItsPlace):
         flips = flipping(filled, stations, holonomy)
         told = ()
         if not curved.all() or flips.any():
-            place = stations.u[np.argmax(~curved if not curved.all() else flips)]
-            told = (f"Frame: the curvature vanishes near u = {place:.4g}, where the Frenet frame is not defined.",)
+            place = lost(stations, curved, flips)
+            told = (f"Frame: the curvature vanishes near u = {place}, where the Frenet frame is not defined.",)
             if refused:
-                sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place:.4g}"
+                sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
                 raise ShapeError(sentence, "frame.continuation")
         if self.continuation is Continuation.SMOOTH:
             filled = fill(stations, found, curved, holonomy, half=True)
@@ -167,8 +168,8 @@ class FixedUp(OfItsPlace):
         flips = flipping(filled, stations, holonomy)
         if defined.all() and not flips.any():
             return found, ()
-        place = stations.u[np.argmax(~defined if not defined.all() else flips)]
-        told = (f"Frame: the trajectory runs along the up direction near u = {place:.4g}, where no side is up.",)
+        place = lost(stations, defined, flips)
+        told = (f"Frame: the trajectory runs along the up direction near u = {place}, where no side is up.",)
         return fill(stations, found, defined, holonomy, half=True) if defined.any() else filled, told
 
 
@@ -290,6 +291,15 @@ def fill(stations, angles, known, holonomy, half=False):
         at, found = np.append(at, at[0] + stations.total), np.append(found, again)
         at, found = np.insert(at, 0, at[-2] - stations.total), np.insert(found, 0, found[-2] - (again - found[0]))
     return np.interp(stations.s, at, found)
+
+
+def lost(stations, defined, flips):
+    """The first place where a frame is not defined, or amid the first step in which it flips, as people read it."""
+    domain = stations.trajectory.domain
+    if not defined.all():
+        return near(stations.u[np.argmin(defined)], *domain)
+    step = np.argmax(flips)
+    return near((stations.u[step] + np.append(stations.u, domain[1])[step + 1]) / 2, *domain)
 
 
 def flipping(angles, stations, holonomy):

@@ -42,6 +42,7 @@ from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import dot
 from .volume_true import volume_true
+from .wording import near
 
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
@@ -317,7 +318,7 @@ def running_backward(stations, rings, centroid, moved):
     back = dot(stations.steps(middles), forward) < 0
     if not back.any() or back.all():
         return bool(back.all()), ()
-    place = stations.u[np.argmax(back)]
+    place = near(stations.u[np.argmax(back)], *stations.trajectory.domain)
     return False, (
-        f"Contour: near u = {place:.4g} it is beyond the centre of curvature, and the sweep runs back through itself.",
+        f"Contour: near u = {place} it is beyond the centre of curvature, and the sweep runs back through itself.",
     )

@@ -296,5 +296,8 @@ def from_table(names, table, declared):
 
 
 def pick(names, value):
-    require(isinstance(value, str) and value in names, f"must be one of {', '.join(names)}", value)
-    return names[value]
+    if isinstance(value, str) and value in names:
+        return names[value]
+    from .hints import hint  # nobody needs it until something is refused
+
+    raise ShapeError(f"must be one of {', '.join(names)}, got {shown(value)}{hint(names, value)}")

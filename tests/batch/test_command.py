@@ -4,6 +4,7 @@
 
 import importlib.util
 import json
+import re
 import struct
 import subprocess
 import sys
@@ -286,7 +287,7 @@ def test_a_picture_is_filled_to_its_margin(scene, job, capfd):
     {
         ("build", "-o", "a.png"): "output: must end in .blend, .glb, .stl, .obj, .ply, got 'a.png'",
         ("render", "-o", "a.glb"): "output: must end in .png, .jpg, .webp, .exr, got 'a.glb'",
-        ("build", "-o", "nowhere/a.glb"): "output: must be in a folder that exists, got ",
+        ("build", "-o", "tube.toml/a.glb"): "output: must be in a folder, got ",
         ("render", "-o", "a.png", "--frame", "2"): "frame: must be from 1 to 1, the pictures of tube.toml, got 2",
     }.items(),
 )
@@ -296,6 +297,18 @@ def test_a_wrong_output_is_refused_before_anything_is_done(scene, job, arguments
     told = capsys.readouterr()
     assert told.err.startswith(sentence) and told.err.count("\n") == 1
     assert sorted(path.name for path in job.parent.iterdir()) == ["tube.toml"]
+
+
+def test_a_folder_that_is_missing_is_made(scene, job):
+    output = job.parent / "new" / "deep" / "tube.stl"
+    assert main(["build", str(job), "--output", str(output)]) == 0 and output.is_file()
+
+
+def test_progress_is_told_in_a_log_where_it_is_asked_for(scene, job, capfd):
+    line = ["render", str(job), "--output", str(job.with_name("tube.png"))]
+    assert main(line) == 0 and not capfd.readouterr().err
+    assert main([*line, "--progress"]) == 0
+    assert re.search(r"rendering tube.png, \d+ x \d+: sample \d+ of \d+\n", capfd.readouterr().err)
 
 
 def test_what_cannot_be_written_leaves_nothing(scene, job, capsys, monkeypatch):

@@ -48,6 +48,9 @@ def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monk
     assert sorted(capsys.readouterr().out.split()) == [str(folder / "other.stl"), str(folder / "tube.stl")]
     times = {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")}
     assert main(line) == 0 and {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")} == times
+    said = capsys.readouterr()
+    assert said.err.splitlines() == ["1 of 2: tube.stl skipped", "2 of 2: other.stl skipped"]
+    assert sorted(said.out.split()) == sorted(map(str, times))
     other.write_text(job.read_text() + "ground = false\n")
     assert main(line) == 0
     changed = {path.name for path in folder.glob("*.stl") if path.stat().st_mtime_ns != times[path]}

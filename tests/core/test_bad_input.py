@@ -14,6 +14,7 @@ from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import Array, ShapeError
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 
+TRAJECTORIES = "line, arc, helix, torus-knot, polyline, bezier, nurbs, sampled, formula"
 CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"
 SQUARE = [(0, 0), (3, 0), (3, 3), (0, 3)]
 S_CURVE = Bezier([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
@@ -95,7 +96,9 @@ VALUES = {  # refused when it is made
     "points: must be a list of 3 numbers each, got [('0', '0', '1')]": (Polyline, [("0", "0", "1")]),
     "points: must be a list of 3 numbers each, got [(0, 0, None)]": (Polyline, [(0, 0, None)]),
     "points: must be a list of 3 numbers each, got 'points'": (Polyline, "points"),
-    "corner: must be one of mitre, round, bevel, got 'miter'": (Polyline, THERE[:2], False, "miter"),
+    "corner: must be one of mitre, round, bevel, got 'miter': did you mean 'mitre'?": (
+        Polyline, THERE[:2], False, "miter"
+    ),
     "corner.limit: must be at least 1, got 0.5": (Polyline, BENT, False, {"kind": "mitre", "limit": 0.5}),
     "corner.radius: must be more than 0, got 0": (Polyline, BENT, False, {"kind": "round", "radius": 0}),
     "corner.radius: must be at most 2 to fit into the leg from point 1 to point 2, got 3": (
@@ -139,7 +142,14 @@ VALUES = {  # refused when it is made
 }  # fmt: skip
 
 SHAPES = {  # refused when the shape is made, or its mesh
-    f"contour: must be one of {CONTOURS}, got 'square'": {"contour": "square"},
+    f"contour: must be one of {CONTOURS}, got 'square': say {{ kind = \"regular-polygon\", sides = 4 }}": {
+        "contour": "square"
+    },
+    f"contour: must be one of {CONTOURS}, got 'elipse': did you mean 'ellipse'?": {"contour": "elipse"},
+    f"trajectory: must be one of {TRAJECTORIES}, got [(0, 0, 0), (1, 0, 0)]: points alone may be those of "
+    'polyline, bezier, nurbs or sampled, say Polyline(points=...) or { kind = "polyline", points = ... }': {
+        "trajectory": [(0, 0, 0), (1, 0, 0)]
+    },
     "contour.radus: is no parameter of Circle, which has radius, points": {"contour": {"kind": "circle", "radus": 1}},
     f"contour.kind: must be one of {CONTOURS}, got None": {"contour": {"radius": 1}},
     "contour: must reach 2.5e-12 m or more on this trajectory, got 1e-14": {"contour": Circle(1e-14)},

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hints: what somebody may have meant who named none of the kinds or options that there are."""
+
+from difflib import get_close_matches
+
+import numpy as np
+
+from .parameters import Array, parameters
+from .wording import spelled
+
+LONGEST = 40  # characters of what may be a name with a slip in it
+FIGURES = {  # by the names that people have for them: the kind, and what it is told
+    "triangle": ("regular-polygon", "sides = 3"),
+    "square": ("regular-polygon", "sides = 4"),
+    "pentagon": ("regular-polygon", "sides = 5"),
+    "hexagon": ("regular-polygon", "sides = 6"),
+    "octagon": ("regular-polygon", "sides = 8"),
+    "circle": ("arc", "angle = 6.283185307179586"),
+    "trefoil": ("torus-knot", "p = 2, q = 3"),
+}
+
+
+def hint(names, value):
+    """What to add to the refusal of a value that is none of the names; often nothing.
+
+    Parameters
+    ----------
+    names : dict of str
+        The kinds or options that there are, by their names.
+    value : object
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import RegularPolygon, Star
+    >>> hint({"regular-polygon": RegularPolygon, "star": Star}, "hexagon")
+    ': say { kind = "regular-polygon", sides = 6 }'
+    >>> hint({"regular-polygon": RegularPolygon, "star": Star}, "starr")
+    ": did you mean 'star'?"
+    """
+    if isinstance(value, str):
+        kind, told = FIGURES.get(value.lower(), ("", ""))
+        if kind in names:
+            return f': say {{ kind = "{kind}", {told} }}'
+        near = get_close_matches(value.lower(), names, 1) if len(value) <= LONGEST else ()
+        return f": did you mean '{near[0]}'?" if near else ""
+    if isinstance(value, (list, tuple, np.ndarray, Array)):
+        return of_a_list(names)
+    if isinstance(value, type) and value in names.values():
+        return f": say {value.__name__}()"
+    return ""
+
+
+def of_a_list(names):
+    """Which kinds a list alone could be, and how to say so."""
+    kinds = [kind for kind in names.values() if isinstance(kind, type) and leading_list(kind)]
+    if not kinds:
+        return ""
+    first, last = kinds[0], spelled(kinds[-1])
+    others = ", ".join(spelled(kind) for kind in kinds[:-1])
+    what = leading_list(first)
+    said = f'{first.__name__}({what}=...) or {{ kind = "{spelled(first)}", {what} = ... }}'
+    return f": {what} alone may be those of {f'{others} or {last}' if others else last}, say {said}"
+
+
+def leading_list(kind):
+    """The name of the first parameter of a kind if that is a list, or nothing."""
+    first = next(iter(parameters(kind)), None)
+    return first.name if first is not None and first.is_list else ""
