@@ -8,7 +8,7 @@ from .rotations import turned
 from .trajectories.legs import Cut
 from .vectors import dot, unit
 
-ROUNDING = 1e-9  # of a bevel's length: a ring at its end is on it
+ROUNDING = 1e-6  # of half a bevel: a ring at its end is on it
 
 
 def on_bevels(stations):
