@@ -4,7 +4,7 @@
 
 from bpy.utils import register_classes_factory
 
-from . import add_preset, add_shape, apply, convert, copy_as, edit_as_curve, sweep_selected
+from . import add_preset, add_shape, apply, bend, convert, copy_as, edit_as_curve, sweep_selected
 
 register, unregister = register_classes_factory(
     (
@@ -13,6 +13,7 @@ register, unregister = register_classes_factory(
         sweep_selected.OBJECT_OT_sweep_selected,
         convert.OBJECT_OT_sweep_convert,
         apply.OBJECT_OT_sweep_apply,
+        bend.OBJECT_OT_sweep_bend,
         copy_as.OBJECT_OT_sweep_copy,
         edit_as_curve.OBJECT_OT_sweep_edit_as_curve,
     )

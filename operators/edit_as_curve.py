@@ -8,6 +8,8 @@ from bpy.types import Operator
 from ..sweep_addon.bridge import curves, objects
 from ..sweep_addon.core.parameters import ShapeError, parameters
 
+EDITABLE = {"trajectory": "The path along which the contour moves", "contour": "The outline that moves"}
+
 
 class OBJECT_OT_sweep_edit_as_curve(Operator):
     """Make a curve object of the contour or trajectory, which the sweep then follows"""
@@ -19,10 +21,7 @@ class OBJECT_OT_sweep_edit_as_curve(Operator):
     parameter: EnumProperty(
         name="Parameter",
         description="What becomes a curve",
-        items=[
-            ("trajectory", "Trajectory", "The path along which the contour moves"),
-            ("contour", "Contour", "The outline that moves"),
-        ],
+        items=[(name, name.title(), doc) for name, doc in EDITABLE.items()],
     )
 
     @classmethod

@@ -7,6 +7,7 @@ from textwrap import wrap
 from bpy.types import Panel
 
 from ..operators.convert import is_tube
+from ..operators.edit_as_curve import EDITABLE
 from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
@@ -72,8 +73,10 @@ def draw_sweep(layout, context, mesh, say):
     if frames:
         frames.prop(context.window_manager, "sweep_show_frames")
     row = layout.row(align=True)
-    for p in reversed([p for p in declared if p.accepts]):
+    for p in reversed([p for p in declared if p.name in EDITABLE]):
         row.operator("object.sweep_edit_as_curve", text=f"Edit {p.name.title()}").parameter = p.name
+    if hasattr(shape, "bend"):
+        layout.operator("object.sweep_bend")
     layout.operator("object.sweep_apply")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"

@@ -10,27 +10,33 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 0
 """
 
-from .core import contours, corners, ends, frames, laws, sampling, trajectories
+from .core import contours, corners, directions, ends, frames, laws, limits, sampling, trajectories
 from .core.forms import dump
 from .core.generalized_cylinder import GeneralizedCylinder
 from .core.mesh import Mesh
 from .core.parameters import ShapeError
+from .core.pd_curve import PDCurve
+from .core.pd_curve_sweep import PDCurveSweep
 from .core.rotational_sweep import RotationalSweep
 from .core.translational_sweep import TranslationalSweep
 
 __all__ = [
     "GeneralizedCylinder",
     "Mesh",
+    "PDCurve",
+    "PDCurveSweep",
     "RotationalSweep",
     "ShapeError",
     "TranslationalSweep",
     "contours",
     "corners",
+    "directions",
     "dump",
     "ends",
     "frames",
     "from_object",
     "laws",
+    "limits",
     "load",
     "reach",
     "sampling",

@@ -44,6 +44,8 @@ def public():
 def members():
     """Every public method and property of those; what is a plain value has no docstring of its own."""
     yield "GeneralizedCylinder.mesh", sw.GeneralizedCylinder.mesh
+    yield from ((f"PDCurveSweep.{name}", getattr(sw.PDCurveSweep, name)) for name in ("mesh", "bend"))
+    yield "PDCurve.evaluate", sw.PDCurve.evaluate
     yield from ((f"Mesh.{name}", getattr(sw.Mesh, name)) for name in MEASURED + HELD)
     for kind in kinds(sw.trajectories):
         found = ((name, getattr(kind, name)) for name in ASKED)
@@ -62,7 +64,13 @@ IN_METRES = {*FUNCTIONS, *MEMBERS} - {"load", "to_object", "from_object"}
 IN_METRES -= {
     name for name in MEMBERS if name.endswith(("corners", "offsets", "edges", "characteristic", "domain", "closed"))
 }
-REFUSING = ["GeneralizedCylinder.mesh", *FUNCTIONS, *(name for name, kind in DECLARED.items() if parameters(kind))]
+REFUSING = [
+    "GeneralizedCylinder.mesh",
+    "PDCurveSweep.mesh",
+    "PDCurveSweep.bend",
+    *FUNCTIONS,
+    *(name for name, kind in DECLARED.items() if parameters(kind)),
+]
 
 
 def test_the_walk_meets_the_public_names():

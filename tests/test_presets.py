@@ -131,3 +131,13 @@ def test_handrail_keeps_the_distances_of_the_ada_standards():
     assert (865 <= above).all() and (above <= 965).all()
     assert x.min() <= -279.4 and x.max() - nosings[-1, 0] >= 304.8
     assert y[[0, -1]] == pytest.approx([0, 0], abs=1e-9)
+
+
+def test_steel_arch_is_an_ipe_200_that_stands_on_the_ground():
+    """EN 10365: 28.48 square centimetres, 200 by 100 mm."""
+    shape = presets.shape("steel_arch")
+    section, mesh = shape.contour.section(), shape.mesh()
+    assert 1e4 * section.area == pytest.approx(28.48, abs=0.1)  # the fillets are chords
+    assert 1000 * np.ptp(section.points, axis=0) == pytest.approx([100, 200])
+    assert mesh.vertices[:, 2].min() == pytest.approx(0, abs=1e-15)
+    assert (np.abs(mesh.vertices[:, 2]) < 1e-12).sum() == 2 * len(section.points)

@@ -8,7 +8,8 @@ from mathutils import Matrix
 from ..core.parameters import ShapeError, at, parameters, require, spelled
 from ..core.sampling import rendered
 from ..core.shapes import SHAPES
-from . import curves, meshes, rna
+from ..core.wording import titled
+from . import beside, curves, meshes, rna
 
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 
@@ -120,7 +121,12 @@ def carrier(shape):
 
 
 def suited(shape, given):
-    """A shape to begin with for some objects: a rotation is about an axis that the contour does not cross."""
+    """A shape to begin with for some objects.
+
+    A rotation is about an axis that the contour does not cross; the direction of a PD curve is the path's own tilt.
+    """
+    if hasattr(shape, "along_curve"):
+        return shape.along_curve()
     if not hasattr(shape, "beside"):
         return shape()
     return shape.beside(curves.outline(given["contour"], scaled=False, may_be_open=True))
@@ -128,7 +134,7 @@ def suited(shape, given):
 
 def title(shape):
     """The name of a shape's class for people."""
-    return spelled(shape, " ").title()
+    return titled(shape)
 
 
 def group_of(mesh):
@@ -149,12 +155,15 @@ def shapes(mesh, depsgraph=None):
     are sampled as renders ask for.
     """
     shape, group = group_of(mesh)
-    paths = {}
+    paths, along = {}, rna.objects(group, parameters(shape)).get("trajectory")
 
     def resolve(ob, p, number=0):
         with at(p.name):
             if "FONT" in p.accepts:
                 return curves.outline(ob, depsgraph, p.name != carrier(shape), p.open)
+            if "EMPTY" in p.accepts:
+                known = paths["trajectory"][number] if along else None
+                return beside.value(ob, p, along, known, number, depsgraph)
             if p.name not in paths:
                 paths[p.name] = curves.trajectories(ob, depsgraph)
         return paths[p.name][number]

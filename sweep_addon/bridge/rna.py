@@ -18,6 +18,7 @@ import numpy as np
 from ..core.description import summary
 from ..core.forms import plain
 from ..core.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
+from ..core.wording import titled
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
@@ -69,7 +70,7 @@ def define(p, pointers, common):
 def item(choice, doc):
     """An enum's item. Its number, from the name, is saved in files; keyframes add a half to it in float32: 23 bits."""
     name = spelled(choice, "_")
-    return name.upper(), name.replace("_", " ").title(), doc, zlib.crc32(name.encode()) % 2**23
+    return name.upper(), titled(choice), doc, zlib.crc32(name.encode()) % 2**23
 
 
 def only(types):

@@ -36,7 +36,8 @@ class Parallel(Enum):
     REFUSE = "A direction that anywhere runs along the trajectory is refused"
 
 
-parallel = parameter(Parallel.CONTINUE, "What to do where the direction runs along the trajectory")
+ALONG = "What to do where the direction runs along the trajectory"
+parallel = parameter(Parallel.CONTINUE, ALONG)
 
 
 @individual
@@ -123,7 +124,7 @@ class Guide(Pointing):
 
     points: Array = points(((1, 0, 0), (1, 0, 0.5), (0, 0.5, 2), (0, 1, 2)), "Control points of the second curve")
     basis: Basis = parameter(Basis.BEZIER, "What the control points are")
-    parallel: Parallel = parallel
+    parallel: Parallel = parameter(Parallel.CONTINUE, ALONG, splines=("POLY", "BEZIER", "NURBS"))
 
     def check(self):
         """Refuse a number of points that makes no segments."""
@@ -154,6 +155,19 @@ class Arrows(Pointing):
         require(rising, "must have parts rising from row to row, from 0 to 1", t.tolist(), "rows")
         short = norms(vectors) == 0
         require(not short.any(), "must have vectors with a length", f"0 in row {np.argmax(short) + 1}", "rows")
+
+    @classmethod
+    def at_points(cls, trajectory, points, vectors):
+        """Arrows that stand where a trajectory comes nearest to points, (n, 3), with these vectors, (n, 3)."""
+        u = np.linspace(*trajectory.domain, CELLS + 1)
+        apart = norms(trajectory.evaluate(u) - points[:, None])
+        node = apart.argmin(axis=1)
+        ends = u[np.maximum(node - 1, 0)], u[np.minimum(node + 1, CELLS)]
+        found, _ = highest(lambda u: -norms(trajectory.evaluate(u) - points), *ends)
+        measure = arc_length(trajectory)
+        t = np.clip(measure.at(found) / measure.total, 0.0, 1.0)
+        order = np.argsort(t, kind="stable")
+        return cls(np.column_stack((t, vectors))[order])
 
     def vectors(self, trajectory, u):
         """The vectors d at parameters of a trajectory: (n,) to (n, 3)."""

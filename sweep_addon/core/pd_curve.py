@@ -39,7 +39,7 @@ class PDCurve:
     basis: Basis = parameter(Basis.BEZIER, "What the control values are")
 
     def check(self):
-        """Refuse a number of rows that makes no segments, and positions that are no trajectory."""
+        """Refuse a number of rows that makes no segments."""
         self.basis.require_segments(len(self.rows), "rows")
 
     @property
@@ -53,7 +53,23 @@ class PDCurve:
         return Cubic(chain(self.basis.segments(self.rows[:, 3:])))
 
     def evaluate(self, t):
-        """Points of the curve: t (n,), which counts segments, to (n, 6) float array, positions in metres."""
+        """Position and direction at parameters.
+
+        Parameters
+        ----------
+        t : (n,) array
+            They count the segments.
+
+        Returns
+        -------
+        (n, 6) float array
+            Positions in metres, and directions as long as their cubic makes them.
+
+        Examples
+        --------
+        >>> PDCurve([(0, 0, 0, 1, 0, 0)] * 2 + [(0, 0, 2, 0, 1, 0)] * 2).evaluate([0.5]).tolist()
+        [[0.0, 0.0, 1.0, 0.5, 0.5, 0.0]]
+        """
         position, direction = self.position, self.direction
         return np.concatenate((position.evaluate(t), direction.vectors(position, t)), axis=1)
 

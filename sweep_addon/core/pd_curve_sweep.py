@@ -7,12 +7,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from . import caps
+from . import caps, generalized_cylinder
 from .bending import Bending
 from .cells import WIDEST_TURN
 from .chart import Chart, Texture, lengths_around
-from .contours import Contour, Fit, Rectangle
-from .directions import Cubic, Direction
+from .contours import Circle, Contour, Fit, Rectangle
+from .directions import Cubic, Direction, Tilt
 from .drawn import affine, drawn
 from .frames import Frames, turn
 from .generalized_cylinder import ATTRIBUTES, running_backward, section_of
@@ -22,10 +22,13 @@ from .limits import Flat, Limit, Open, Plane
 from .mesh import Mesh, require_few
 from .parameters import ShapeError, at, declared, parameter, require
 from .sampling import Count, Sampling, Tolerance, place
-from .trajectories import Bezier, Trajectory
+from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
 from .trimming import cuts, limited, ranged
 
+AS_THICK = {Circle: {"radius": 0.1}, **generalized_cylinder.AS_THICK}
+SMOOTH = {Polyline: {"corner": "round"}}
+AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
 SHORTEST = 1e-9  # of the axis, between two planes
 
 
@@ -55,11 +58,19 @@ class PDCurveSweep:
     (1.0, 0, 2)
     """
 
-    contour: Contour = parameter(Rectangle(0.3, 0.1), "What moves: a closed outline", accepts=("CURVE", "FONT"))
-    trajectory: Trajectory = parameter(Bezier(), "The position p(t): the path of the contour", accepts=("CURVE",))
-    direction: Direction = parameter(Cubic(), "The direction d(t), to which the contour's x axis points")
-    start: Limit = parameter(Flat(), "What limits the solid at the start", group="Limits")
-    end: Limit = parameter(Flat(), "What limits the solid at the end", group="Limits")
+    contour: Contour = parameter(
+        Rectangle(0.3, 0.1), "What moves: a closed outline", others=AS_THICK, accepts=("CURVE", "FONT")
+    )
+    trajectory: Trajectory = parameter(
+        Bezier(), "The position p(t): the path of the contour", others=SMOOTH, accepts=("CURVE",)
+    )
+    direction: Direction = parameter(
+        Cubic(), "The direction d(t), to which the contour's x axis points", accepts=("CURVE", "EMPTY")
+    )
+    start: Limit = parameter(Flat(), "What limits the solid at the start", group="Limits", accepts=("EMPTY",))
+    end: Limit = parameter(
+        Flat(), "What limits the solid at the end", others=AT_END, group="Limits", accepts=("EMPTY",)
+    )
     samples: Sampling = parameter(Tolerance(), "How many contours stand along the trajectory")
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
@@ -121,6 +132,11 @@ class PDCurveSweep:
         known = (grid, axis.u, heights.mean(axis=0), stations.total, around, flat, self.texture, self.attributes)
         chart = Leaning(*known, heights, parameters) if leaning.any() else Chart(*known)
         return Mesh(vertices, grid.topology(), chart, told + axis.told)
+
+    @classmethod
+    def along_curve(cls):
+        """The sweep that follows a drawn curve first, whose own tilt is the direction."""
+        return cls(direction=Tilt())
 
     def laid_out(self):
         """The section, the bending of the axis, its stations, and what is to be told.

@@ -4,10 +4,11 @@
 
 from .generalized_cylinder import GeneralizedCylinder
 from .parameters import spelled
+from .pd_curve_sweep import PDCurveSweep
 from .rotational_sweep import RotationalSweep
 from .translational_sweep import TranslationalSweep
 
-PLANAR = (TranslationalSweep, RotationalSweep, GeneralizedCylinder)  # in the lecture's order
+PLANAR = (TranslationalSweep, RotationalSweep, PDCurveSweep, GeneralizedCylinder)  # in the lecture's order
 CLASSIFICATION = {"Planar Generator": PLANAR}
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

@@ -16,6 +16,7 @@ MEASURES = {None: "a number", "length": "a number of metres", "angle": "a number
 UNITS = {"length": "in metres", "angle": "in radians"}
 LIMITS = {"above": -inf, "minimum": -inf, "maximum": inf}
 REFUSED = "ShapeError\n    For any other value."
+WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")  # where a word of a class's name begins
 LONGEST = 40  # characters of a default in a docstring; of a longer one only how it starts
 
 
@@ -56,7 +57,12 @@ def spelled(kind, joint="-"):
     """The name of a class (FixedUp) or of an Enum's member (FIXED_UP) as jobs (fixed-up) or identifiers have it."""
     if isinstance(kind, Enum):
         return kind.name.lower().replace("_", joint)
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", joint, kind.__name__).lower()
+    return WORDS.sub(joint, kind.__name__).lower()
+
+
+def titled(kind):
+    """The name of a class (PDCurveSweep) or of an Enum's member as people read it (PD Curve Sweep)."""
+    return spelled(kind, " ").title() if isinstance(kind, Enum) else WORDS.sub(" ", kind.__name__)
 
 
 def longest(most, columns):

@@ -9,7 +9,7 @@ from ..bridge.meshes import mark
 from ..bridge.objects import inputs, renders_otherwise
 from .live import differs, rebuild, set_if_other
 
-INPUTS = {"CURVE", "FONT"}
+INPUTS = {"CURVE", "FONT", "EMPTY"}
 
 
 @persistent
@@ -53,10 +53,12 @@ def touched(updates):
 
 
 def changed_inputs(updates):
-    """The original curve and text objects among the updated data."""
-    return {
+    """The original curves, texts and empties among the updated data, and the empties whose children they are."""
+    found = {
         update.id.original for update in updates if isinstance(update.id, bpy.types.Object) and update.id.type in INPUTS
     }
+    parents = (ob.parent for ob in found if ob.type == "EMPTY" and ob.parent)
+    return found | {ob for ob in parents if ob.type == "EMPTY"}
 
 
 def users_of(changed):

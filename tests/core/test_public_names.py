@@ -12,9 +12,11 @@ from sweep_addon.core.parameters import parameters
 UNIONS = {
     "contours": "Contour",
     "corners": "Corner",
+    "directions": "Direction",
     "ends": "End",
     "frames": "Frame",
     "laws": "Law",
+    "limits": "Limit",
     "sampling": "Sampling",
     "trajectories": "Trajectory",
 }
@@ -29,6 +31,7 @@ def test_a_namespace_offers_its_kinds_and_nothing_else(name):
     assert not {"np", "Enum", "require", "parameter", "declared"} & set(dir(space))
 
 
-def test_every_choice_of_a_shape_is_in_a_namespace():
+@pytest.mark.parametrize("shape", [sw.GeneralizedCylinder, sw.PDCurveSweep])
+def test_every_choice_of_a_shape_is_in_a_namespace(shape):
     offered = {id(getattr(getattr(sw, name), union)) for name, union in UNIONS.items()}
-    assert all(id(p.type) in offered for p in parameters(sw.GeneralizedCylinder) if p.kinds)
+    assert all(id(p.type) in offered for p in parameters(shape) if p.kinds)
