@@ -9,7 +9,7 @@ import numpy as np
 from .contours.crossing import crossings
 
 ALIKE = 1e-6  # of a height: single precision, which Blender keeps, tells no less apart
-HALVINGS = 40  # of the way to a height at which edges meet
+HALVINGS = 32  # of the way to a height at which edges meet
 
 
 def mitres(section):
@@ -72,16 +72,17 @@ def reachable(section, moves, height):
     first = float(vanish.min())
     if len(section.offsets) == 2 and vanish.max() <= first * (1 + ALIKE) and height >= first * (1 - ALIKE):
         return first, True
-    if height < first and not meets(drafted(section, moves, height)):
+    if height < first and alike(section, drafted(section, moves, height)):
         return np.inf, False
     low, high = 0.0, min(height, first)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        clear = not meets(drafted(section, moves, middle))
+        clear = alike(section, drafted(section, moves, middle))
         low, high = (middle, high) if clear else (low, middle)
     return high, False
 
 
-def meets(section):
-    """Whether edges of a section cross or touch."""
-    return bool(len(crossings(section.points, section.following)))
+def alike(section, other):
+    """Whether another section of as many points is one too: no edges meet, and the loops lie in each other as here."""
+    apart = not len(crossings(other.points, other.following))
+    return apart and np.array_equal(other.nesting, section.nesting) and bool((other.areas * section.areas > 0).all())

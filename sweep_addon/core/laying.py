@@ -14,7 +14,7 @@ from .runs import backward, following
 
 SIDE, CAP = 0, 1  # material slots
 OWN, NEXT, STRIP = 0, 1, 2  # by which number of a strip something is counted: its column's, the next one's, its own
-POLE = OWN, 1, 0
+POLE, TO_POLE = (OWN, 1, 0), (NEXT, 1, 0)
 
 
 class Layout:
@@ -61,7 +61,7 @@ class Layout:
         lines = np.tile(np.arange(len(self.grid.lines), dtype=np.int32), (3, 1))
         own, ahead = ((by, self.stride[whole], self.position[whole]) for by in (OWN, NEXT))
         yield lines, self.bands, [(OWN, self.stride[end], self.position[end]) for end in (low, high)]
-        ends = (own, ahead), (POLE, ahead), (own, (NEXT, 1, 0))
+        ends = (own, ahead), (POLE, ahead), (own, TO_POLE)
         for strips, pair in zip(self.strips, ends, strict=True):
             yield strips, self.rings, pair
 
@@ -74,8 +74,8 @@ class Layout:
         yield self.faces(plain, quads, first, second, third, fourth)
         yield self.faces(plain, cones, first, second, fourth)
         yield self.faces(plain, funnels, (OWN, 0, "up"), third, fourth)
-        yield self.faces(from_pole, everywhere, (*POLE, "low"), second, third)
-        yield self.faces(to_pole, everywhere, first, (NEXT, 1, 0, "high"), fourth)
+        yield self.faces(from_pole, everywhere, (POLE, "low"), second, third)
+        yield self.faces(to_pole, everywhere, first, (TO_POLE, "high"), fourth)
 
     def faces(self, strips, bands, *corners):
         """A block of faces, of corners given as the column, the end of the band, and the edge that starts there.
@@ -90,8 +90,9 @@ class Layout:
         for *place, edge in corners:
             if len(place) == 2:
                 column, end = place
-                place = column, self.stride[stations[end]], self.position[stations[end]]
-            points.append(tuple(place))
+                points.append((column, self.stride[stations[end]], self.position[stations[end]]))
+            else:
+                points += place
             used.append(edges[edge])
         return (strips, len(bands), points), (strips, len(bands), used)
 
@@ -188,26 +189,38 @@ def laid(blocks, rest):
         fixed), int or (count,) int array: the number by which it is counted * step + fixed.
     rest : int array
 
-    The numbers of most strips differ by the same from each other: all rows are one array times the first of them, and
-    only what is counted otherwise, as where a loop's last column is followed by its first, is put right.
     """
     blocks = list(blocks)
     sizes = [strips.shape[1] * count * len(terms) for strips, count, terms in blocks]
     numbers = np.empty(sum(sizes) + len(rest), np.int32)
     *parts, end = np.split(numbers, np.cumsum(sizes))
     for part, (strips, count, terms) in zip(parts, blocks, strict=True):
-        if not len(part):
-            continue
-        part, aside = part.reshape(-1, count, len(terms)), strips - strips[OWN]
-        step, start = np.empty((2, count, len(terms)), np.int32)
-        for i, (by, each, fixed) in enumerate(terms):
-            step[:, i], start[:, i] = each, fixed + aside[by, 0] * each
-        lay(strips[OWN], step, start, part)
-        for i, (by, *_) in enumerate(terms):
-            others = np.flatnonzero(aside[by] != aside[by, 0])
-            part[others, :, i] += (aside[by, others] - aside[by, 0])[:, None] * step[:, i]
+        if part.size:
+            fill(part.reshape(-1, count, len(terms)), strips, terms)
     end[:] = rest
     return numbers
+
+
+def fill(part, strips, terms):
+    """Lay one block, (k, count, terms).
+
+    The numbers of most strips differ by the same from each other: all rows are one array times the first of them, and
+    only what is counted otherwise, as where a loop's last column is followed by its first, is put right. At a pole
+    nothing is alike, and there are few.
+    """
+    if any(term is POLE or term is TO_POLE for term in terms):
+        for i, (by, step, fixed) in enumerate(terms):
+            part[:, :, i] = strips[by, :, None] * step + fixed
+        return
+    first = strips[terms[0][0]]
+    aside = strips - first
+    step, start = np.empty((2, *part.shape[1:]), np.int32)
+    for i, (by, each, fixed) in enumerate(terms):
+        step[:, i], start[:, i] = each, fixed + aside[by, 0] * each
+    lay(first, step, start, part)
+    for i, (by, *_) in enumerate(terms):
+        others = np.flatnonzero(aside[by] != aside[by, 0])
+        part[others, :, i] += (aside[by, others] - aside[by, 0])[:, None] * step[:, i]
 
 
 def lay(numbers, step, start, out):

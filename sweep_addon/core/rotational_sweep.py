@@ -250,7 +250,8 @@ def about_axis(contour, fit, point, direction, crossing, screw):
     turned = (section.points - point) @ np.array([[y, x], [-x, y]])
     section = parting.on_axis(replace(section, points=turned))
     left, right = parting.sides(section)
-    require(left or right, "must not lie on the axis", "a line along it", "contour")
+    if not (left or right):
+        raise ShapeError("must not lie on the axis, got only points on it", "contour")
     if not (left and right) or crossing is Crossing.KEEP:
         return (section if screw else parting.with_crossings(section),)
     if crossing is Crossing.REFUSE:

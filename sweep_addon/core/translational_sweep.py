@@ -164,7 +164,7 @@ class TranslationalSweep:
         slopes = self.slopes(section)
         if not slopes.any():
             return np.zeros_like(section.points), (False, False)
-        require(section.closed, "must be 0 where the contour is open, which has no inside", float(slopes[0]), "taper")
+        require(section.closed, "must be 0 where the contour is open, which has no inside", atan(slopes[0]), "taper")
         moves = mitres(section) * slopes[section.loop_of, None]
         points = []
         for height in np.abs(heights[[0, -1]]).tolist():

@@ -13,10 +13,13 @@ from sweep_addon.core.ends import Open, Taper
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.joining import joined
 from sweep_addon.core.laying import CAP, SIDE
+from sweep_addon.core.rotational_sweep import RotationalSweep
 from sweep_addon.core.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Line, Polyline, TorusKnot
+from sweep_addon.core.translational_sweep import TranslationalSweep
 
 PERCENT, _ = GLYPHS["%"]
+HALF = Outline([[(0, -1), (0, 1)]], bulges=[(1, 0)], tolerance=0.01)
 RIDGE = [(0, 0, 0), (0, 0, 2), (0, 1, 3)]
 SHAPES = {
     "tube": GeneralizedCylinder(Circle(0.1, points=5), Line(), Count(4)),
@@ -36,13 +39,27 @@ SHAPES = {
     ),
     "mirrored": GeneralizedCylinder(GLYPHS["B"][0], Polyline(RIDGE), scale_x=-0.5),
 }
+PLANAR = {
+    "frustum": TranslationalSweep(PERCENT, 2.0, "both", steps=3, taper=0.01),
+    "bipyramid": TranslationalSweep(Rectangle(2, 2), 3.0, "symmetric", taper=np.arctan(2 / 3)),
+    "sheets": TranslationalSweep(Outline([[(0, 0), (3, 4), (3, 6)], [(5, 0), (6, 0)]], closed=False)),
+    "ball": RotationalSweep(HALF, samples=Count(9)),
+    "wedge": RotationalSweep(HALF, 1.0, samples=Count(9)),
+    "wedge with an open end": RotationalSweep(HALF, 1.0, samples=Count(9), start=Open()),
+    "horn torus": RotationalSweep(Circle(0.5, 12), axis_point=(-0.5, 0), samples=Count(9)),
+    "ring of glyphs": RotationalSweep(PERCENT, axis_point=(-2, 0), samples=Count(9)),
+    "screw": RotationalSweep(angle=9.0, pitch=1.5),
+    "spindle torus": RotationalSweep(Circle(0.5), 2.0, axis_point=(-0.3, 0), crossing="keep"),
+    "apple and lemon": RotationalSweep(Circle(0.5), axis_point=(-0.3, 0), crossing="split"),
+    "top": RotationalSweep(Outline([[(0, 0), (1, 1), (1, 2), (0, 2)]], closed=False)),
+}
 SHAPES["two"] = None
 
 
 def mesh_of(name):
     if name == "two":
         return joined([SHAPES["sandglass"].mesh(), SHAPES["ring"].mesh(), SHAPES["tube"].mesh()])
-    return SHAPES[name].mesh()
+    return (SHAPES | PLANAR)[name].mesh()
 
 
 def faces_at_edges(mesh):
@@ -56,7 +73,7 @@ def lowest_of_face(values, mesh):
     return np.repeat(np.minimum.reduceat(values, mesh.offsets[:-1]), np.diff(mesh.offsets))
 
 
-@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("name", [*SHAPES, *PLANAR])
 def test_edges_known_beforehand_are_those_of_the_faces(name):
     mesh = mesh_of(name)
     known = {tuple(sorted(edge)) for edge in mesh.edges.tolist()}
@@ -68,7 +85,7 @@ def test_edges_known_beforehand_are_those_of_the_faces(name):
         assert array.dtype == np.int32
 
 
-@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("name", [*SHAPES, *PLANAR])
 def test_every_vertex_edge_and_face_has_what_belongs_to_it(name):
     mesh = mesh_of(name)
     assert mesh.topology.sharp.shape == (len(mesh.edges),) and mesh.topology.material.shape == (len(mesh.offsets) - 1,)
@@ -168,8 +185,8 @@ def test_equal_grids_share_their_arrays_and_unequal_ones_have_other_keys():
     tube = SHAPES["tube"]
     thicker = GeneralizedCylinder(Circle(0.2, points=5), Line(), Count(4))
     assert tube.mesh().topology is thicker.mesh().topology
-    keys = {mesh_of(name).topology.key for name in SHAPES}
-    assert len(keys) == len(SHAPES)
+    keys = {mesh_of(name).topology.key for name in [*SHAPES, *PLANAR]}
+    assert len(keys) == len(SHAPES) + len(PLANAR)
     (_, along, across), (_, same, other), (_, longer, _) = (
         made.chart.keys for made in (tube.mesh(), thicker.mesh(), mesh_of("pencil"))
     )

@@ -1,0 +1,236 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Translational sweeps against Cavalieri's principle and Steiner's formula, and their refusals."""
+
+import re
+from math import atan, pi, radians, tan
+
+import numpy as np
+import pytest
+from solids import GLYPHS, assert_solid, box, ngon
+
+from sweep_addon.core.contours import Circle, Outline, Rectangle, RegularPolygon, Star
+from sweep_addon.core.draft import mitres, reachable
+from sweep_addon.core.laying import CAP
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.translational_sweep import Reference, TranslationalSweep
+
+CLOSE = dict(rel=1e-12)  # rounding: sums of a few hundred numbers
+RANDOM = 1000
+PLATE = Outline([box((-2, -1), (2, 1)), ngon((-0.8, 0), 0.5, 7), ngon((0.9, 0), 0.6, 24)])
+
+
+def steiner(section, heights, slopes):
+    """The volume of a drafted section between heights, Steiner's formula for each loop integrated over the height.
+
+    Its area, moved inwards by d, is A - P d + d^2 sum tan(turn / 2).
+    """
+    bends = np.add.reduceat(np.tan(section.turns / 2), section.offsets[:-1])
+    whole = 0.0
+    for height in heights:
+        d = height * np.asarray(slopes)
+        whole += height * (section.areas - section.perimeters * d / 2 + bends * d**2 / 3).sum()
+    return whole
+
+
+def star(random, centre, reach, points):
+    """A random loop that its centre sees all of, (n, 2)."""
+    angle = 2 * pi * (np.arange(points) + random.uniform(-0.3, 0.3, points)) / points
+    return centre + reach * random.uniform(0.5, 1, (points, 1)) * np.stack((np.cos(angle), np.sin(angle)), axis=1)
+
+
+def outline(random):
+    """A random outline of one or two islands, and the holes of each; coordinates up to about 3."""
+    loops, holes = [], []
+    for island in range(random.integers(1, 3)):
+        middle = np.array([2.5 * island, 0.0])
+        loops.append(star(random, middle, 1.0, random.integers(3, 12)))
+        holes.append(int(random.integers(0, 3)))
+        for hole in range(holes[-1]):
+            loops.append(star(random, middle + (0.14 * (2 * hole - 1), 0), 0.1, random.integers(3, 8)))
+    if any(len(loop) == 3 for loop in loops[: 1 + holes[0]]) or any(len(loop) < 6 for loop in loops):
+        return outline(random)  # few points may leave no room for holes
+    return Outline(loops), holes
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 1), (0, 0, 0.1), (1, 0, 1), (-3, 2, 0.5)])
+@pytest.mark.parametrize("glyph", GLYPHS)
+def test_prism_has_the_volume_of_its_base_times_its_height_however_oblique(glyph, direction):
+    """Cavalieri. Upright, its surface is twice the base and the perimeter times the height."""
+    contour, holes = GLYPHS[glyph]
+    mesh = TranslationalSweep(contour, 3.0, direction=direction, steps=3).mesh()
+    section = contour.section()
+    assert mesh.volume() == pytest.approx(3 * section.area, **CLOSE)
+    if direction[0] == 0:
+        assert mesh.area() == pytest.approx(2 * section.area + 3 * section.perimeters.sum(), **CLOSE)
+    assert_solid(mesh, sum(2 - 2 * h for h in holes))
+    assert mesh.vertices[:, 2].min() == 0 and mesh.vertices[:, 2].max() == 3
+
+
+@pytest.mark.parametrize("contour", [Circle(1, 64), Star(5, 1.0, 0.6), RegularPolygon(7), Rectangle(3, 2, 0.4), PLATE])
+@pytest.mark.parametrize("taper", [0.1, -0.2, 0.02])
+@pytest.mark.parametrize("steps", [1, 4])
+def test_drafted_prism_has_the_volume_of_steiners_formula(contour, taper, steps):
+    section = contour.section()
+    shape = TranslationalSweep(contour, 0.5, taper=taper, hole_taper=taper / 2, steps=steps)
+    slopes = np.where(section.areas > 0, tan(taper), tan(taper / 2))
+    assert shape.mesh().volume() == pytest.approx(steiner(section, [0.5], slopes), **CLOSE)
+
+
+def test_both_directions_draft_from_the_contours_plane():
+    both = TranslationalSweep(Circle(1), 0.5, "both", depth=0.8, taper=0.2)
+    section = both.contour.section()
+    assert both.mesh().volume() == pytest.approx(steiner(section, [0.5, 0.8], [tan(0.2)]), **CLOSE)
+    even = TranslationalSweep(Circle(1), 1.0, "symmetric", taper=0.2).mesh()
+    assert even.volume() == pytest.approx(2 * steiner(section, [0.5], [tan(0.2)]), **CLOSE)
+    assert even.vertices[:, 2].min() == -0.5 and even.vertices[:, 2].max() == 0.5
+    assert len(np.unique(even.vertices[:, 2])) == 3, "the parting line is an edge all round"
+    assert even.topology.sharp.sum() == 3 * 64
+
+
+def test_every_side_of_a_drafted_prism_leans_by_its_angle():
+    """The angle between a side and the vertical, loop by loop."""
+    tapers = 0.1, -0.05, 0.2
+    mesh = TranslationalSweep(PLATE, 0.5, tapers=tapers).mesh()
+    sides = np.flatnonzero(mesh.topology.material != CAP)
+    normals = mesh.normals[sides] / np.linalg.norm(mesh.normals[sides], axis=1, keepdims=True)
+    loop = PLATE.section().loop_of
+    assert np.abs(np.arcsin(normals[:, 2]) - np.array(tapers)[loop]).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    "contour", [RegularPolygon(3), Rectangle(2, 2), Circle(0.7, 100), Outline([[(0, 0), (5, 1), (2, 3)]])]
+)
+@pytest.mark.parametrize("directions", ["up", "symmetric"])
+def test_taper_to_a_point_is_a_pyramid_with_one_tip(contour, directions):
+    """A third of base times height. All edges of a triangle vanish at its incentre: area = inradius * perimeter / 2."""
+    section, height = contour.section(), 3.0
+    inradius = 2 * section.area / section.perimeters[0]
+    reach = height / 2 if directions == "symmetric" else height
+    mesh = TranslationalSweep(contour, height, directions, taper=atan(inradius / reach)).mesh()
+    assert mesh.volume() == pytest.approx(section.area * height / 3, **CLOSE)
+    rings = 1
+    assert len(mesh.vertices) == rings * len(section.points) + (2 if directions == "symmetric" else 1)
+    assert_solid(mesh, 2)
+
+
+def test_point_is_one_also_of_an_angle_that_blender_keeps():
+    """In single precision."""
+    angle = float(np.float32(atan(1 / 3)))
+    assert len(TranslationalSweep(Rectangle(2, 2), 3.0, taper=angle).mesh().vertices) == 5
+
+
+LARGEST = {  # contour, height: the largest inward distance before edges meet
+    "a rectangle is a ridge at half its width": (Rectangle(3, 2), 1.0),
+    "a neck of a dumbbell closes at half its width": (
+        Outline(
+            [[(0, 0), (2, 0), (2, 0.8), (4, 0.8), (4, 0), (6, 0), (6, 2), (4, 2), (4, 1.2), (2, 1.2), (2, 2), (0, 2)]]
+        ),
+        0.2,
+    ),
+    "a hole meets its outline": (Outline([box((0, 0), (4, 4)), box((1, 1), (2, 2))]), 0.5),
+}
+
+
+@pytest.mark.parametrize("name", LARGEST)
+def test_refusal_tells_the_largest_angle(name):
+    contour, distance = LARGEST[name]
+    shape = dict(contour=contour, height=2.0)
+    with pytest.raises(ShapeError, match=r"^taper: must be at most ") as caught:
+        TranslationalSweep(**shape, taper=1.2, hole_taper=1.2).mesh()
+    told = float(re.search(r"at most ([\d.]+)", str(caught.value))[1])
+    assert told == pytest.approx(atan(distance / 2.0), rel=1e-6)
+    below = 0.99 * told
+    holes = len(contour.section().areas) - 1
+    assert_solid(TranslationalSweep(**shape, taper=below, hole_taper=below).mesh(), 2 - 2 * holes)
+
+
+def test_outward_draft_is_refused_where_a_hollow_corner_closes():
+    """A notch of width 1 between sides that both move out closes at half of that."""
+    notched = Outline([[(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]])
+    with pytest.raises(ShapeError) as caught:
+        TranslationalSweep(notched, 1.0, taper=-0.6).mesh()
+    told = float(re.search(r"at most ([\d.]+)", str(caught.value))[1])
+    assert told == pytest.approx(atan(0.5), rel=1e-6)
+    assert str(caught.value).endswith(", got -0.6")
+
+
+def test_reference_point_of_the_contour_moves_from_the_origin():
+    contour = Outline([[(3, 4), (5, 4), (3, 7)]])
+    for reference, place in ((Reference.CENTROID, (11 / 3, 5)), (Reference.ORIGIN, (0, 0)), (Reference.POINT, (1, 2))):
+        shape = TranslationalSweep(contour, reference=reference, reference_x=1.0, reference_y=2.0)
+        base = shape.mesh().vertices[:, :2]
+        assert np.abs(base[::2] - (contour.section().points - place)).max() < 1e-12
+        assert shape.frames().points.tolist() == [[0, 0, 0], [0, 0, 1]]
+
+
+def test_open_contours_make_surfaces():
+    """Of the length of the lines times the height; each line is a sheet, whose Euler characteristic is 1."""
+    lines = Outline([[(0, 0), (3, 4), (3, 6)], [(5, 0), (6, 0)]], closed=False)
+    mesh = TranslationalSweep(lines, 2.0, steps=4).mesh()
+    assert mesh.area() == pytest.approx((5 + 2 + 1) * 2.0, **CLOSE)
+    assert_solid(mesh, 2, boundary=2 * (4 + 4) + 2 * (2 + 1))
+    assert mesh.uv[:, 1].max() == pytest.approx(5 + 2 + 1, **CLOSE)
+    arc = Outline([[(1, 0), (-1, 0)]], bulges=[(1, 1)], tolerance=1e-4, closed=False)
+    assert TranslationalSweep(arc, 2.0).mesh().area() == pytest.approx(2 * pi, rel=1e-4)
+
+
+@pytest.mark.parametrize("fit", ["area-true", "circumscribed"])
+def test_fit_is_that_of_the_contour(fit):
+    disc = TranslationalSweep(Circle(1, 9), 2.0, fit=fit).mesh().volume()
+    assert disc == pytest.approx(2 * pi, **CLOSE) if fit == "area-true" else disc > 2 * pi
+
+
+def test_a_thousand_random_prisms_are_solids():
+    """Of each island with h holes a body of genus h. The draft is up to the largest, either way."""
+    random = np.random.default_rng(5)
+    for _ in range(RANDOM):
+        contour, holes = outline(random)
+        section = contour.section()
+        direction = (*random.uniform(-2, 2, 2), random.uniform(0.2, 2))
+        signs = random.choice([-1.0, 0.0, 1.0], len(section.areas))
+        most, _ = reachable(section, mitres(section) * signs[section.loop_of, None], 10.0)
+        slopes = signs * min(most, 10.0) * random.uniform(0.1, 0.97)
+        steps, directions = int(random.integers(1, 5)), str(random.choice(["up", "symmetric", "both"]))
+        mesh = TranslationalSweep(
+            contour, 1.0, directions, 0.7, direction, steps, tapers=np.arctan(slopes), reference="centroid"
+        ).mesh()
+        assert_solid(mesh, sum(2 - 2 * h for h in holes))
+        heights = {"up": [1.0], "symmetric": [0.5, 0.5], "both": [1.0, 0.7]}[directions]
+        assert mesh.volume() == pytest.approx(steiner(section, heights, slopes), rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "given"),
+    {
+        "height: must be more than 0, got 0": dict(height=0),
+        "height: must be a number of metres, got '1 m'": dict(height="1 m"),
+        "depth: must be more than 0, got -1": dict(depth=-1),
+        "directions: must be one of up, symmetric, both, got 'down'": dict(directions="down"),
+        "direction: must point up, out of the contour's plane, got [1.0, 0.0, 0.0]": dict(direction=(1, 0, 0)),
+        "direction: must point up, out of the contour's plane, got [0.0, 0.0, -1.0]": dict(direction=(0, 0, -1)),
+        "direction: must be a list of 3, got [1, 2]": dict(direction=[1, 2]),
+        "steps: must be at least 1, got 0": dict(steps=0),
+        "steps: must make at most 20,000,000 vertices, got 25600256": dict(steps=100_000, contour=Circle(1, 256)),
+        "taper: must be at most 1.55334, got 1.6": dict(taper=1.6),
+        "hole_taper: must be at least -1.55334, got -2": dict(hole_taper=-2.0),
+        "tapers: must be at most 1.553 in size, got 3": dict(tapers=[0.1, 3]),
+        "tapers: must have one angle a loop, 1, got 2": dict(tapers=[0.1, 0.2]),
+        "taper: must be 0 where the contour is open, which has no inside, got 0.1": dict(
+            taper=0.1, contour=Outline([[(0, 0), (1, 0)]], closed=False)
+        ),
+        "fit: must be inscribed where the contour is open, got 'area-true'": dict(
+            fit="area-true", contour=Outline([[(0, 0), (1, 0)]], closed=False)
+        ),
+        "reference: must be one of origin, centroid, point, got 'middle'": dict(reference="middle"),
+        "end: must be one of flat, open, got 'round'": dict(end="round"),
+    }.items(),
+)
+def test_what_will_not_do_is_refused_in_one_sentence(sentence, given):
+    with pytest.raises(ShapeError) as caught:
+        TranslationalSweep(**given).mesh()
+    assert str(caught.value) == sentence
+
+
+def test_steepest_angle_is_89_degrees():
+    assert TranslationalSweep(Rectangle(1, 1), 1e-3, taper=radians(89)).mesh().volume() > 0
