@@ -17,6 +17,7 @@ from sweep_addon.bridge import meshes
 from sweep_addon.core.joining import joined
 
 WASHER = sw.contours.Outline(loops=[[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.5, -0.5), (0.5, -0.5), (0, 0.5)]])
+HALF = sw.contours.Outline([[(0, -1), (0, 1)]], bulges=[(1, 0)])
 LINE, HELIX, KNOT = sw.trajectories.Line(end=(0, 0, 2)), sw.trajectories.Helix(), sw.trajectories.TorusKnot()
 WIDE_KNOT = sw.trajectories.TorusKnot(major=9, minor=3)
 CORNER = sw.trajectories.Polyline([(0, 0, 0), (0, 0, 2), (0, 2, 2)])
@@ -38,6 +39,11 @@ SHAPES = {
     "closed with a hole": shape(WASHER, WIDE_KNOT, contours=1000),
     "closed with a turn": shape(sw.contours.Rectangle(0.1, 0.1), KNOT, contours=400, twist="pi/2*t"),
     "triangles": shape(sw.contours.Circle(0.2, points=3), LINE),
+    "frustum": sw.TranslationalSweep(WASHER, taper=0.1, hole_taper=-0.1),
+    "open sheets": sw.TranslationalSweep(sw.contours.Outline([[(0, 0), (1, 0), (1, 1)]], closed=False)),
+    "ball": sw.RotationalSweep(HALF),
+    "wedge": sw.RotationalSweep(HALF, 2.0),
+    "apple and lemon": sw.RotationalSweep(sw.contours.Circle(0.5), axis_point=(0.3, 0), crossing="split"),
 }
 
 
