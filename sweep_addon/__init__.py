@@ -38,6 +38,7 @@ __all__ = [
     "laws",
     "limits",
     "load",
+    "presets",
     "reach",
     "sampling",
     "to_object",
@@ -48,7 +49,7 @@ LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".
 
 
 def __dir__():
-    return sorted({*globals(), *__all__})
+    return __all__  # what a console offers
 
 
 def __getattr__(name):
@@ -57,6 +58,13 @@ def __getattr__(name):
 
     if name == "__version__":
         return import_module(".core.version", __package__).version()
+    if name == "presets":
+        return import_module(".presets", __package__)
     if name not in LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(LATER[name], __package__), name)
+    try:
+        return getattr(import_module(LATER[name], __package__), name)
+    except ModuleNotFoundError as error:
+        if error.name != "bpy":
+            raise
+        raise ModuleNotFoundError(f"{name} needs Blender, or its module bpy", name="bpy") from None

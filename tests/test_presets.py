@@ -9,6 +9,7 @@ import pytest
 
 from sweep_addon import presets
 from sweep_addon.batch import job
+from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import place
 
 ALL = [preset.name for preset in presets.PRESETS]
@@ -141,3 +142,8 @@ def test_steel_arch_is_an_ipe_200_that_stands_on_the_ground():
     assert 1000 * np.ptp(section.points, axis=0) == pytest.approx([100, 200])
     assert mesh.vertices[:, 2].min() == pytest.approx(0, abs=1e-15)
     assert (np.abs(mesh.vertices[:, 2]) < 1e-12).sum() == 2 * len(section.points)
+
+
+def test_a_preset_that_is_none_is_refused_with_the_nearest():
+    with pytest.raises(ShapeError, match="^preset: must be one of cable, .*, got 'hoose': did you mean 'hose'\\?$"):
+        presets.shape("hoose")

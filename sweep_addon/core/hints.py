@@ -52,6 +52,8 @@ def hint(names, value):
         return of_a_list(names)
     if isinstance(value, type) and value in names.values():
         return f": say {value.__name__}()"
+    if callable(value) and "constant" in names:
+        return ': say a formula in text, as "2*pi*t"'
     return ""
 
 

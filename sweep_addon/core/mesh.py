@@ -109,12 +109,17 @@ class Mesh:
     ((8, 3), (24,), [0, 4, 8, 12, 16, 20, 24])
     >>> round(box.volume(), 12), round(box.area(), 12), box.euler_characteristic()
     (6.0, 22.0, 2)
+    >>> box
+    Mesh(8 vertices, 6 faces)
     """
 
     vertices: np.ndarray
     topology: Topology
     chart: object = None
     told: tuple = field(default=())
+
+    def __repr__(self):
+        return f"{type(self).__name__}({len(self.vertices)} vertices, {len(self.offsets) - 1} faces)"
 
     @property
     def corners(self):

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..core.forms import shape_of, tables
 from ..core.frozen import frozen
+from ..core.parameters import at, pick
 from ..core.shapes import SHAPES
 
 FOLDER = Path(__file__).parent
@@ -64,6 +65,8 @@ def shape(name):
     >>> type(shape("spring").trajectory).__name__
     'Helix'
     """
-    table = tables(PATHS[name].read_bytes())
+    with at("preset"):
+        path = pick(PATHS, name)
+    table = tables(path.read_bytes())
     table.pop("render", None)  # how its picture is made is a question for `batch`
     return shape_of(SHAPES, table)

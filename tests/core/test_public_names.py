@@ -35,3 +35,8 @@ def test_a_namespace_offers_its_kinds_and_nothing_else(name):
 def test_every_choice_of_a_shape_is_in_a_namespace(shape):
     offered = {id(getattr(getattr(sw, name), union)) for name, union in UNIONS.items()}
     assert all(id(p.type) in offered for p in parameters(shape) if p.kinds)
+
+
+def test_the_library_offers_its_public_names_alone():
+    assert sorted(dir(sw)) == sorted(sw.__all__)
+    assert sw.presets.shape("spring") == sw.load(sw.presets.FOLDER / "spring.toml")
