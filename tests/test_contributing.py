@@ -16,7 +16,7 @@ BLOCK = re.compile(r"```python\n# (sweep_addon/\S+)\n(.*?)```", re.DOTALL)
 TRIED = """
 from math import pi, sin
 import sweep_addon as sw
-slot = sw.GeneralizedCylinder(contour={"kind": "slot", "span": 3.0}, trajectory=sw.trajectories.Line())
+slot = sw.GeneralizedCylinder(contour={"kind": "slot", "span": 3.0, "width": 1.0}, trajectory=sw.trajectories.Line())
 mesh, area = slot.mesh(), 3.0 * 1.0 + 32 / 2 * 0.5**2 * sin(2 * pi / 32)
 assert len(mesh.boundary_edges()) == 0 and abs(mesh.volume() - area) < 1e-12
 assert sw.dump(slot).count("slot") == 1
