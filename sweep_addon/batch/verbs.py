@@ -50,6 +50,7 @@ def build(told):
     tell(f"writing {output.name}")
     save_model(output)
     say(output)
+    warn(job.path, job.shape.self_intersections().told)
     return 0
 
 
@@ -74,15 +75,17 @@ def render(told):
 
 
 def check(told):
-    """Read jobs and make their meshes, and say for each whether it is right, or at which line and key it is not."""
+    """Read jobs and make their meshes, and say for each whether it is right, or at which line and key it is not; and
+    where it meets itself."""
     code = 0
     for path in told.jobs:
         try:
             job = read(path)
             with pointing_at(job):
                 mesh = job.shape.mesh()
+                found = job.shape.self_intersections()
             say(f"{path}: {len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces")
-            sys.stderr.writelines(f"{path}: {sentence}\n" for sentence in mesh.told)
+            warn(path, found.in_place_of(mesh.told))
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
             code = max(code, code_of(refusal))
@@ -201,6 +204,11 @@ def need_blender():
             "This needs Blender: run it as blender --background --command sweep ..., "
             "or pip install 'bpy==4.5.*' with Python 3.11 or 'bpy==5.2.*' with Python 3.13."
         )
+
+
+def warn(path, sentences):
+    """What a person should know of a job, beside its result: on standard error."""
+    sys.stderr.writelines(f"{path}: {sentence}\n" for sentence in sentences)
 
 
 def say(result):

@@ -44,10 +44,16 @@ def fanned(stations, rings):
     return on, square + np.einsum("aij,ij->ai", square, out)[..., None] * (wider + farther)
 
 
-def steps_on_bevels(stations):
-    """Which steps lead from one station on a bevel to the next: (n - 1,) or (n,) bool."""
+def bevels(stations):
+    """The corner on whose bevel each station is, or -1: (n,) int array."""
     bevel = np.full(len(stations.u), -1)
     if isinstance(stations.trajectory, Cut):
         on, corner, *_ = on_bevels(stations)
         bevel[on] = corner
+    return bevel
+
+
+def steps_on_bevels(stations):
+    """Which steps lead from one station on a bevel to the next: (n - 1,) or (n,) bool."""
+    bevel = bevels(stations)
     return (bevel[stations.starts] >= 0) & (bevel[stations.starts] == bevel[stations.onward])

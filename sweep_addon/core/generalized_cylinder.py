@@ -37,12 +37,12 @@ from .laws import Law
 from .mesh import Mesh, require_few
 from .parameters import angle, at, declared, parameter, require
 from .sampling import Count, Sampling, Stations, Tolerance, place
+from .self_intersection.folds import folds_told, running_backward
 from .steps import mitred
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import dot
 from .volume_true import volume_true
-from .wording import near
 
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
@@ -152,6 +152,33 @@ class GeneralizedCylinder:
         vertices = drawn(grid, affine(swept.shape), swept.rings, dtype)
         return Mesh(vertices, grid.topology(), swept.chart, swept.told)
 
+    def self_intersections(self):
+        """Where the sweep meets itself, and up to which size it does not.
+
+        Returns
+        -------
+        Places
+            A sequence of places, empty when the sweep is clean, with ``largest_safe_size``.
+
+        Source
+        ------
+        A round tube along a smooth trajectory is clean up to its reach (`sweep_addon.reach`), and what its ends leave
+        of that: decided of the true shape, however coarse the mesh. Of other shapes the local test is that of the true
+        shape, and the global one is decided on the faces of the mesh.
+
+        Examples
+        --------
+        A pipe round a bend that is tighter than the pipe is thick:
+
+        >>> from sweep_addon.core.trajectories import Arc
+        >>> found = GeneralizedCylinder(Circle(0.5), Arc(radius=0.3)).self_intersections()
+        >>> [place.kind for place in found], round(found.largest_safe_size, 9)
+        (['local'], 0.3)
+        """
+        from .self_intersection.cylinders import of_cylinder
+
+        return of_cylinder(self)
+
     def swept(self):
         """All that the mesh is drawn from: a `Swept`."""
         section, closed = section_of(self.contour, self.fit), self.trajectory.closed
@@ -205,6 +232,7 @@ class GeneralizedCylinder:
         points, mirrored = tips(scale_x, scale_y, along.largest, stations.closed, along.scaled_by)
         e2, e3, told = axes(self.frame, stations, twist, symmetry)
         rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
+        told += folds_told(stations, *rings, getattr(self.contour, "support", section.support))
         if self.fit is Fit.AREA_TRUE:
             rings = volume_true(stations, rings, along, section.centroid, turn)
         else:
@@ -212,10 +240,10 @@ class GeneralizedCylinder:
         reach = float(np.linalg.norm(section.points, axis=1).max()) * along.largest
         least = ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
-        backward, warned = running_backward(stations, rings, section.centroid, np.any(offset))
+        backward = running_backward(stations, rings, section.centroid, np.any(offset))
         if mirrored != backward:
             section, scale_x, rings[1] = section.mirrored, -scale_x, -rings[1]
-        return Body(section, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told + warned)
+        return Body(section, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told)
 
     def frames(self, most=100):
         """The frames and contours at places spread evenly along the trajectory.
@@ -304,21 +332,3 @@ def across(offset, e2, e3):
     """The way of each contour off the trajectory: (n, 3)."""
     x, y = offset
     return e2 * x[:, None] + e3 * y[:, None] if x.any() or y.any() else np.zeros_like(e2)
-
-
-def running_backward(stations, rings, centroid, moved):
-    """Whether the middles of the contours, beyond the centres of curvature, run backward; and a warning if some do.
-
-    Where all do, the surface is that of a sweep the other way.
-    """
-    if not moved and np.linalg.norm(centroid) * np.abs(rings[1:]).max() <= ROUNDING * stations.total:
-        return False, ()
-    middles = rings[0] + centroid[0] * rings[1] + centroid[1] * rings[2]
-    forward = stations.leave[stations.starts] + stations.arrive[stations.onward]
-    back = dot(stations.steps(middles), forward) < 0
-    if not back.any() or back.all():
-        return bool(back.all()), ()
-    place = near(stations.u[np.argmax(back)], *stations.trajectory.domain)
-    return False, (
-        f"Contour: near u = {place} it is beyond the centre of curvature, and the sweep runs back through itself.",
-    )

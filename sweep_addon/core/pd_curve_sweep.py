@@ -15,13 +15,14 @@ from .contours import Circle, Contour, Fit, Rectangle
 from .directions import Cubic, Direction, Tilt
 from .drawn import affine, drawn
 from .frames import Frames, turn
-from .generalized_cylinder import ATTRIBUTES, running_backward, section_of
+from .generalized_cylinder import ATTRIBUTES, section_of
 from .grid import Grid
 from .leaning import Leaning
 from .limits import Flat, Limit, Open, Plane
 from .mesh import Mesh, require_few
 from .parameters import ShapeError, at, declared, parameter, require
 from .sampling import Count, Sampling, Tolerance, place
+from .self_intersection.folds import folds_told, running_backward
 from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
 from .trimming import cuts, limited, ranged
@@ -157,10 +158,11 @@ class PDCurveSweep:
             stations = stand(self.samples, self.trajectory, self.direction, reach)
             axis = bending.placed(stations)
         rings = np.stack((axis.points, axis.e2, axis.e3))
-        backward, warned = running_backward(stations, rings, section.centroid, False)
+        backward = running_backward(stations, rings, section.centroid, False)
+        told += folds_told(stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support)
         if backward:
             section, bending = section.mirrored, replace(bending, mirrored=True)
-        return section, bending, stations, told + warned
+        return section, bending, stations, told
 
     def rings(self, section, bending, stations, limits):
         """The heights of all points of each ring, (m, n), which of them lean, (n,) bool, and the axis there."""

@@ -131,6 +131,23 @@ class TranslationalSweep:
         chart = Chart(grid, s / s[-1], s, s[-1], around, flat, self.texture, self.attributes)
         return Mesh(drawn(grid, *self.laid(section, moves, heights), dtype), grid.topology(), chart)
 
+    def self_intersections(self):
+        """Where the sweep meets itself: nowhere, for its plane moves one way, and a taper ends before edges meet.
+
+        Returns
+        -------
+        Places
+            Empty.
+
+        Examples
+        --------
+        >>> len(TranslationalSweep(height=2.0).self_intersections())
+        0
+        """
+        from .self_intersection.places import Places
+
+        return Places(())
+
     def section(self):
         """The section of the contour as its reference point is at the origin."""
         return referred(self.contour, self.fit, self.reference, (self.reference_x, self.reference_y))

@@ -65,6 +65,18 @@ def test_check_says_what_people_should_know(tmp_path, capsys):
     assert capsys.readouterr().err.startswith(f"{told}: Frame: the trajectory is straight and has no Frenet frame")
 
 
+def test_check_says_where_a_sweep_meets_itself(tmp_path, capsys):
+    crossing = tmp_path / "crossing.toml"
+    bend = sw.trajectories.Arc(radius=0.3)
+    crossing.write_text(sw.dump(sw.GeneralizedCylinder(sw.contours.Circle(0.5), bend)))
+    assert main(["check", str(crossing)]) == 0
+    assert capsys.readouterr().err.splitlines() == [
+        f"{crossing}: Self-intersection: from u = 0 to 3.142 the contour reaches the centre of curvature, "
+        "and the sweep folds.",
+        f"{crossing}: A radius up to 0.3 m is clear of it.",
+    ]
+
+
 def test_describe_tells_units_limits_and_defaults(capsys):
     assert main(["describe", "generalized-cylinder"]) == 0
     told = capsys.readouterr().out

@@ -44,6 +44,10 @@ class Ellipse:
         """(points, 2) float array: the point of the curve that is farthest from each edge."""
         return self.around(0.5)
 
+    def support(self, directions):
+        """How far the curve reaches along directions (n, 2), times their lengths: (n,)."""
+        return np.hypot(*(directions * (self.radius_x, self.radius_y)).T)
+
     def around(self, ahead):
         """(points, 2) float array: points of the curve, a part of a step ahead of the polygon's."""
         angles = 2 * np.pi * (np.arange(self.points) + ahead) / self.points

@@ -138,6 +138,10 @@ class Section:
         twice = here[:, 0] * there[:, 1] - here[:, 1] * there[:, 0]
         return origin + twice @ (here + there) / (3 * twice.sum())
 
+    def support(self, directions):
+        """How far the section reaches from the reference point along directions (n, 2), times their lengths: (n,)."""
+        return (directions @ self.points.T).max(axis=1)
+
     @cached_property
     def middle(self):
         """(2,) float array: the centroid of the lines themselves, in metres."""

@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cells: which faces of a lattice cross each other, decided on their triangles.
+
+Boxes of cells are joined two by two, in bands and in columns, up to stretches. Of pairs of stretches that may meet,
+those parts are followed whose boxes do.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..vectors import dot, norms, unit
+from .lattice import BANDS, stretches
+
+TOUCHING = 1e-9  # of the size: faces that come no farther through each other touch, and do not cross
+MOST = 300_000  # pairs of boxes that are followed at once; many more are a broad overlap, of which some are enough
+CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))  # of a cell: which column, its own or the next, and which ring
+TRIANGLES = ((0, 1, 2), (0, 2, 3))
+
+
+class Crossings(NamedTuple):
+    """Points where edges of one cell go through another: the two cells' bands and columns, and where on the bands."""
+
+    bands: np.ndarray  # (k, 2), the first no larger
+    columns: np.ndarray  # (k, 2)
+    points: np.ndarray  # (k, 3)
+
+
+def crossings(lattice, pairs):
+    """The cells that cross, of pairs of stretches, (p, 2) int array.
+
+    Those of one band or of two neighbours are no matter of it: how they fold is told by the local test.
+    """
+    first, last = candidates(lattice, pairs)
+    bands = last[0] - first[0]
+    apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
+    first, last = first[:, apart], last[:, apart]
+    a, b = quads(lattice, first), quads(lattice, last)
+    which, points = [], []
+    for one in TRIANGLES:
+        for other in TRIANGLES:
+            for hit, where in triangles_cross(a[:, one], b[:, other], TOUCHING * lattice.size):
+                which.append(hit)
+                points.append(where)
+    which = np.concatenate(which)
+    return Crossings(*np.stack((first, last), axis=2)[:, which], np.concatenate(points))
+
+
+def quads(lattice, cells):
+    """The corners of cells, (2, k) bands and columns: (k, 4, 3)."""
+    band, column = cells
+    used, which = np.unique(band, return_inverse=True)
+    points = lattice.points(np.stack((used, used + 1)))
+    ahead = lattice.grid.following[column]
+    return np.stack([points[ahead if beside else column, up, which] for beside, up in CORNERS], axis=1)
+
+
+def candidates(lattice, pairs):
+    """The cells of pairs of stretches whose boxes meet: their bands and columns, (2, k) twice."""
+    used, which = np.unique(pairs, return_inverse=True)
+    levels = pyramid(lattice, used)
+    i, j = which.reshape(-1, 2).T
+    first, last = (np.stack((part, 0 * part, 0 * part)) for part in (i, j))
+    for above, below in zip(levels[::-1], levels[-2::-1], strict=False):
+        first, last = overlapping(*above, first, last)
+        first, last = split(first, last, *(b // a for a, b in zip(above[0].shape[2:], below[0].shape[2:], strict=True)))
+    first, last = overlapping(*levels[0], first, last)
+    start = stretches(lattice.bands, BANDS)[0][used]
+    first, last = (np.stack((start[part[0]] + part[1], part[2])) for part in (first, last))
+    return first, last
+
+
+def pyramid(lattice, used):
+    """Boxes of cells, then of two by two of them, and so on to one a stretch: lows and highs (3, k, rows, columns)."""
+    start, end = (part[used] for part in stretches(lattice.bands, BANDS))
+    rings = np.minimum(start[:, None] + np.arange(BANDS + 1), end[:, None])
+    points = lattice.points(rings).transpose(3, 1, 2, 0)  # axis, stretch, ring, column
+    beside = points[..., lattice.grid.following]
+    columns = points.shape[3]
+    shape = (3, len(used), BANDS, 1 << int(np.ceil(np.log2(max(columns, 2)))))
+    low, high = np.full(shape, np.inf), np.full(shape, -np.inf)
+    for box, join in ((low, np.minimum), (high, np.maximum)):
+        ring = join(points, beside)
+        box[..., :columns] = join(ring[:, :, :-1], ring[:, :, 1:])
+    none = np.arange(BANDS) >= (end - start)[:, None]
+    low[:, none], high[:, none] = np.inf, -np.inf
+    gaps = list(lattice.grid.gaps)
+    low[..., gaps], high[..., gaps] = np.inf, -np.inf
+    levels = [(low, high)]
+    while low.shape[2] * low.shape[3] > 1:
+        for axis in (2, 3):
+            if low.shape[axis] > 1:
+                even, odd = ((slice(None),) * axis + (slice(side, None, 2),) for side in (0, 1))
+                low, high = np.minimum(low[even], low[odd]), np.maximum(high[even], high[odd])
+        levels.append((low, high))
+    return levels
+
+
+def overlapping(low, high, first, last):
+    """Those pairs of boxes that meet, a few of very many."""
+    a, b = np.ravel_multi_index(tuple(first), low.shape[1:]), np.ravel_multi_index(tuple(last), low.shape[1:])
+    low, high = low.reshape(3, -1), high.reshape(3, -1)
+    for axis in range(3):
+        meet = np.flatnonzero((low[axis][a] <= high[axis][b]) & (low[axis][b] <= high[axis][a]))
+        a, b, first, last = a[meet], b[meet], first[:, meet], last[:, meet]
+    step = -(-len(a) // MOST)
+    return (first, last) if step < 2 else (first[:, ::step], last[:, ::step])
+
+
+def split(first, last, rows, columns):
+    """All pairs of the parts of pairs of boxes: (3, k) to (3, k * (rows * columns) ** 2) twice."""
+    parts = np.stack([part.ravel() for part in np.meshgrid(range(rows), range(columns), indexing="ij")])
+    count, pairs, size = parts.shape[1], first.shape[1], np.array([[1], [rows], [columns]])
+    first, last = (np.repeat(part * size, count**2, axis=1) for part in (first, last))
+    first[1:] += np.tile(np.repeat(parts, count, axis=1), pairs)
+    last[1:] += np.tile(np.tile(parts, count), pairs)
+    return first, last
+
+
+def triangles_cross(a, b, tolerance):
+    """Where edges of one triangle go through the other, of pairs (k, 3, 3) twice: numbers (h,) and points (h, 3)."""
+    near = np.flatnonzero(reaches_through(a, b, tolerance))
+    near = near[reaches_through(b[near], a[near], tolerance)]
+    for one, other in ((a[near], b[near]), (b[near], a[near])):
+        for corner in range(3):
+            through, point = pierces(one[:, corner], one[:, (corner + 1) % 3], other, tolerance)
+            yield near[through], point[through]
+
+
+def heights(points, triangles):
+    """How far points (k, ..., 3) are over the planes of triangles (k, 3, 3); 0 where a triangle has no area."""
+    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    size = norms(normal)[:, None]
+    normal = np.divide(normal, size, out=np.zeros_like(normal), where=size > 0)
+    return np.einsum("k...i,ki->k...", points - triangles[:, 0].reshape(-1, *(1,) * (points.ndim - 2), 3), normal)
+
+
+def reaches_through(triangles, planes, tolerance):
+    """Whether triangles have corners on both sides of the planes of others."""
+    over = heights(triangles, planes)
+    return (over.min(axis=1) < -tolerance) & (over.max(axis=1) > tolerance)
+
+
+def pierces(start, end, triangles, tolerance):
+    """Whether edges go through triangles: (k,) bool, and where they go through the planes: (k, 3)."""
+    over = heights(np.stack((start, end), axis=1), triangles)
+    through = (over.min(axis=1) < -tolerance) & (over.max(axis=1) > tolerance)
+    rise = over[:, 0] - over[:, 1]
+    point = start + (over[:, 0] / np.where(through, rise, 1.0))[:, None] * (end - start)
+    way = end - start
+    sides = np.stack(
+        [
+            dot(way, np.cross(triangles[:, corner] - start, triangles[:, (corner + 1) % 3] - start))
+            for corner in range(3)
+        ]
+    )
+    inside = ((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)) & (sides != 0).any(axis=0)
+    return through & inside, point
+
+
+def through_face(lattice, ring, bands):
+    """Which of some bands go through the flat face at a ring: their numbers and columns, (k,), and where, (k, 3).
+
+    An edge of a face, along the sweep or round a contour, goes through where its ends are on both sides of the plane,
+    and the point between them is inside the outline. Where the rim goes through a band, triangles have told.
+    """
+    corners, normal = lattice.points(np.array(ring)), lattice.normals[ring]
+    x = unit(corners[:1] - lattice.path[ring])[0]
+    plane = np.stack((x, np.cross(normal, x)), axis=1)
+    start, along = lattice.points(bands), lattice.points(bands + 1)
+    ends = np.stack((along, start[lattice.grid.following]))
+    over, over_end = ((part - corners[0]) @ normal for part in (start, ends))
+    tolerance = TOUCHING * lattice.size
+    through = (np.minimum(over, over_end) < -tolerance) & (np.maximum(over, over_end) > tolerance)
+    through[1, list(lattice.grid.gaps)] = False
+    kind, column, band = np.nonzero(through)
+    share = over[column, band] / (over[column, band] - over_end[kind, column, band])
+    point = start[column, band] + share[:, None] * (ends[kind, column, band] - start[column, band])
+    within = inside((point - corners[0]) @ plane, (corners - corners[0]) @ plane, lattice.grid.following)
+    return bands[band[within]], column[within], point[within]
+
+
+def inside(points, outline, following):
+    """Whether points (k, 2) are inside an outline (m, 2) by the even-odd rule: (k,) bool."""
+    (x, y), (x0, y0), (x1, y1) = points.T[..., None], outline.T, outline[following].T
+    spans = (y0 > y) != (y1 > y)
+    rise = np.where(y1 == y0, 1.0, y1 - y0)
+    return (spans & (x < x0 + (y - y0) / rise * (x1 - x0))).sum(axis=1) % 2 == 1

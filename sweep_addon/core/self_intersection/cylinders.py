@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Self-intersection of generalized cylinders: what the tests ask of a shape, and what they find, put together."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from ..bevels import bevels
+from ..cells import bend
+from ..contours import Circle, Fit, fitted
+from ..ends import Flat, Open
+from ..frames import axes
+from ..vectors import dot, norms
+from .detect import met, together
+from .folds import between, short_legs
+from .lattice import Lattice
+from .local import Local, folded
+from .places import Place, Places
+from .thickness import thickest
+
+ROUNDING = 1e-9  # of the radius: less is no crossing
+
+
+@lru_cache(maxsize=16)
+def of_cylinder(shape):
+    """The places where a generalized cylinder meets itself: `Places`."""
+    swept = shape.swept()
+    unit = "radius" if isinstance(shape.contour, Circle) else "scale"
+    size = shape.contour.radius if unit == "radius" else 1.0
+    radius = round_radius(shape, swept)
+    if radius:
+        best = thickest(swept.along.trajectory)
+        safe = size * best.radius / radius
+        if best.radius >= radius * (1 - ROUNDING):
+            return Places((), lambda: safe, unit)
+    farthest = swept.along.farthest(float(norms(swept.body.section.points).max()))
+    local = Local(swept.stations, carried(shape, swept), support(shape.contour), farthest)
+    lattice = lattice_of(swept)
+    found = together(lattice, local, Legs(swept, lattice), size, unit)
+    if not radius:
+        return found
+    return Places(found.places or [nearest(swept.along.trajectory, best)], lambda: safe, unit)
+
+
+def carried(shape, swept):
+    """A function from stations to what the local test asks: curvature vectors, way off the trajectory, and axes."""
+
+    def at(stations):
+        scale_x, scale_y, twist, offset_x, offset_y = swept.along.at(stations.s, stations.u)
+        e2, e3, _ = axes(shape.frame, stations, twist, swept.symmetry)
+        aside = e2 * offset_x[:, None] + e3 * offset_y[:, None]
+        return bend(stations.trajectory, stations.u), aside, e2 * scale_x[:, None], e3 * scale_y[:, None]
+
+    return at
+
+
+def round_radius(shape, swept):
+    """The radius of a round tube along a smooth trajectory whose reach says it all; 0 for any other shape."""
+    along = swept.along
+    tube = isinstance(shape.contour, Circle) and not along.trajectory.carries and not any(along.tapers)
+    if not tube or not (
+        shape.trajectory.closed or all(isinstance(end, Flat | Open) for end in (shape.start, shape.end))
+    ):
+        return 0.0
+    scale_x, scale_y, _, *offset = along.everywhere()
+    sizes = np.abs(np.concatenate((scale_x, scale_y)))
+    if np.ptp(sizes) > ROUNDING * sizes.max() or np.any(offset) or len(along.trajectory.corners()):
+        return 0.0
+    return float(shape.contour.radius * sizes.max())
+
+
+def nearest(trajectory, best):
+    """The place of a tube that is hardly too thick: where its reach says."""
+    u = np.array(best.parameters)
+    point = trajectory.evaluate(u).mean(axis=0)
+    if len(u) == 1:
+        return folded(*u, *u, point, trajectory.domain)
+    return met([(float(x), float(x)) for x in u], point, trajectory.domain)
+
+
+def lattice_of(swept):
+    """The lattice of a sweep."""
+    grid, chart, rings = swept.chart.grid, swept.chart, swept.rings
+    weights = np.column_stack((np.ones(len(swept.shape)), swept.shape))
+    stations, (before, after) = swept.stations, grid.domes
+    path, middles = rings[0].copy(), rings[0].copy()
+    path[before : len(path) - after] = stations.points
+    middles[:before], middles[len(path) - after :] = middles[before], middles[len(path) - after - 1]
+    normals = np.concatenate((
+        np.repeat(stations.tangent[:1], before, axis=0), stations.tangent,
+        np.repeat(stations.tangent[-1:], after, axis=0)))  # fmt: skip
+    stretched = np.linalg.norm(rings[1:], axis=(0, 2)) if len(rings) > 3 else widest(*rings[1:])
+    radii = norms(rings[0] - path) + norms(swept.shape).max() * stretched
+
+    def at(asked):
+        return (weights @ rings[:, asked].reshape(len(rings), -1)).reshape(len(weights), *asked.shape, 3)
+
+    whole = Lattice.of(grid, at, path, middles, normals, radii, chart.u, stations.trajectory.domain[1])
+    return whole.only(~cut_off(whole, stations, before)) if len(stations.corners) else whole
+
+
+def cut_off(lattice, stations, before):
+    """Which rings stand where a mitre of a straight leg already is: (n,) bool; the leg goes on without them."""
+    corners, s = stations.corners, stations.s
+    half = np.arccos(np.clip(dot(stations.tangent[corners], stations.leave[corners]), -1, 1))
+    length = lattice.radii.max() * np.tan(half)
+    apart = np.abs(s[:, None] - s[corners])
+    apart = np.minimum(apart, stations.total - apart) if stations.closed else apart
+    swallowed = (apart < length).any(axis=1) & (norms(stations.bend) == 0)
+    swallowed[[0, -1, *corners]] = False
+    cut = np.zeros(len(lattice.u), bool)
+    cut[before : before + len(s)] = swallowed
+    return cut
+
+
+def widest(x, y):
+    """The most by which pairs of axes, (n, 3) twice, stretch any direction of their plane: (n,)."""
+    xx, yy, xy = dot(x, x), dot(y, y), dot(x, y)
+    return np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
+
+
+def support(contour):
+    """How far a contour reaches in directions: (n, 2) to (n,), of a round one as the curve does."""
+    return getattr(contour, "support", None) or fitted(contour, Fit.INSCRIBED).support
+
+
+class Legs:
+    """The stretches from corner to corner, and what the mitres there need of them."""
+
+    def __init__(self, swept, lattice):
+        stations, before = swept.stations, swept.chart.grid.domes[0]
+        corners = stations.corners
+        self.stations, self.factor, self.short = stations, np.inf, []
+        if not len(corners):
+            return
+        first, last = corners, np.roll(corners, -1)
+        if not stations.closed:
+            ends = np.unique(np.concatenate(([0], corners, [len(stations.s) - 1])))
+            first, last = ends[:-1], ends[1:]
+        bevel = bevels(stations)
+        kept = (bevel[first] < 0) | (bevel[first] != bevel[last])
+        first, last = first[kept], last[kept]
+        lengths = stations.s[last] - stations.s[first]
+        lengths = np.where(lengths > 0, lengths, lengths + stations.total)
+        leaving, arriving = (
+            np.einsum("mkx,kx->mk", lattice.at(before + corner) - stations.points[corner], way[corner])
+            for corner, way in ((first, stations.leave), (last, stations.arrive))
+        )
+        needed, self.factor = short_legs(leaving, arriving, lengths)
+        self.short = [
+            (stations.u[first[leg]], stations.u[last[leg]], lengths[leg], needed[leg])
+            for leg in np.flatnonzero(needed > lengths * (1 + ROUNDING))
+        ]
+
+    def places(self):
+        for a, b, has, needs in self.short:
+            middle = self.stations.trajectory.evaluate(np.array([a, b])).mean(axis=0)
+            leg = between(a, b, self.stations.trajectory.domain)
+            said = f"the leg from {leg} is {has:.4g} m long, and its mitres need {needs:.4g} m."
+            yield Place("corner", ((float(a), float(b)),), tuple(middle.tolist()), said)

@@ -1,0 +1,213 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Detecting: the stretches of a lattice that meet, the ends that one goes through, and all places of a shape."""
+
+import numpy as np
+
+from ..vectors import dot, norms
+from .cells import crossings, through_face
+from .folds import between
+from .lattice import BANDS, coarse
+from .places import Place, Places
+
+BISECTIONS = 20  # a millionth of the size is left
+LESS = 1 - 1e-9
+ENOUGH = 1500  # rings that tell the largest safe size: it takes many looks
+
+
+def together(lattice, local, legs=None, size=1.0, unit="scale"):
+    """All places of a shape: `Places`.
+
+    Parameters
+    ----------
+    lattice : Lattice
+    local : Local
+    legs : optional
+        With ``places()`` of those that are too short, and the ``factor`` up to which none is.
+    size : float
+        What of the shape a factor of 1 is, in the unit of `Places`.
+    unit : str
+    """
+    folds = local.folds()
+    corners = list(legs.places()) if legs else []
+    places = [*map(local.place, folds), *corners, *meetings(lattice, folds)]
+
+    def safe():
+        limit = min(local.factor(), legs.factor if legs else np.inf)
+        return size * largest(lattice, limit, not places)
+
+    return Places(places, safe, unit)
+
+
+def meetings(lattice, folded):
+    """Where a lattice meets itself beside its folds.
+
+    Parameters
+    ----------
+    lattice : Lattice
+    folded : sequence of (float, float)
+        Parameters between which it folds.
+
+    Returns
+    -------
+    list of Place
+    """
+    lattice, pairs = coarse(lattice, folded)
+    found = crossings(lattice, pairs)
+    return [*stretches_met(lattice, found), *ends_met(lattice, folded)]
+
+
+def clean(lattice, folded=()):
+    """Whether nothing of a lattice meets."""
+    return not meetings(lattice, folded)
+
+
+def stretches_met(lattice, found):
+    """A place for each group of crossing cells whose bands are neighbours on both sides."""
+    if not len(found.bands):
+        return []
+    step = norms(np.diff(lattice.path, axis=0)).mean()
+    block = max(BANDS, int(2 * lattice.radii.max() / step))  # as long as the contour is wide
+    count = max(lattice.bands // block, 1)
+    keys, which = np.unique(found.bands * count // lattice.bands, axis=0, return_inverse=True)
+    group = groups(keys, count, lattice.closed)[which.ravel()]
+    places = []
+    for number in range(group.max() + 1):
+        members = group == number
+        bands, points = found.bands[members], found.points[members]
+        ranges = [span(lattice, side, points) for side in sides(lattice, bands).T]
+        cells = cells_of(lattice, bands.ravel(), found.columns[members].ravel())
+        places.append(met(ranges, nearest(points), lattice.u[[0, -1]], cells))
+    return places
+
+
+def sides(lattice, bands):
+    """Pairs of bands (k, 2), those first that are beside the first of all: over a closed start they change sides."""
+    if not lattice.closed:
+        return bands
+    apart = np.abs(bands[:, :, None] - bands[0])  # (k, 2, 2)
+    apart = np.minimum(apart, lattice.bands - apart)
+    other = apart[:, 0, 1] + apart[:, 1, 0] < apart[:, 0, 0] + apart[:, 1, 1]
+    return np.where(other[:, None], bands[:, ::-1], bands)
+
+
+def met(ranges, point, domain, cells=()):
+    """The place of two stretches of a trajectory with that domain."""
+    (a, b), (c, d) = sorted(ranges)
+    said = f"the sweep from {between(a, b, domain)} meets that from {between(c, d, domain)}, at {spot(point)}."
+    return Place("global", ((a, b), (c, d)), tuple(point.tolist()), said, cells)
+
+
+def spot(point):
+    return "(" + ", ".join(f"{x:.3g}" for x in point + 0.0) + ")"
+
+
+def nearest(points):
+    """That of some points which is nearest to the middle of them."""
+    return points[norms(points - points.mean(axis=0)).argmin()]
+
+
+def cells_of(lattice, bands, columns):
+    """Cells by the numbers of their first and last ring and their column: (k, 3) int array."""
+    cells = np.stack((lattice.rings[bands], lattice.rings[bands + 1], columns), axis=1)
+    return np.unique(cells, axis=0)
+
+
+def span(lattice, bands, points):
+    """The parameters from the first to the last of points on bands; round a closed start, from the larger one."""
+    start, step = lattice.path[bands], lattice.path[bands + 1] - lattice.path[bands]
+    squared = dot(step, step)
+    share = dot(points - start, step) / np.where(squared > 0, squared, 1.0)
+    u = lattice.u[bands] + share.clip(0.0, 1.0).round(9) * (lattice.u[bands + 1] - lattice.u[bands])
+    some = np.unique(bands)
+    if lattice.closed and len(some) > 1:
+        gap = np.diff(some).argmax()
+        if some[gap + 1] - some[gap] > some[0] + lattice.bands - some[-1]:  # it goes on from the end to the start
+            before = bands <= some[gap]
+            return float(u[~before].min()), float(u[before].max())
+    return float(u.min()), float(u.max())
+
+
+def groups(keys, count, closed):
+    """Numbers of the groups of pairs (k, 2) whose members are neighbours: each takes the least number beside it."""
+    numbers = keys[:, 0] * count + keys[:, 1]  # rising: the pairs are in order
+    group = np.arange(len(keys))
+    steps = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    beside = []
+    for step in steps:
+        other = keys + step
+        other = np.sort(other % count, axis=1) if closed else other
+        wanted = other[:, 0] * count + other[:, 1]
+        at = np.searchsorted(numbers, wanted).clip(0, len(numbers) - 1)
+        valid = (numbers[at] == wanted) & (closed | ((other >= 0) & (other < count)).all(axis=1))
+        beside.append(np.where(valid, at, np.arange(len(keys))))
+    while True:
+        least = np.minimum.reduce([group[at] for at in beside])
+        least = least[least]
+        if (least == group).all():
+            return np.unique(group, return_inverse=True)[1].ravel()
+        group = least
+
+
+def ends_met(lattice, folded):
+    """A place for each flat face at an end, and the stretch that goes through it."""
+    places = []
+    for cap, ring, name in zip(lattice.grid.caps, (0, len(lattice.u) - 1), ("start", "end"), strict=True):
+        if cap is None:
+            continue
+        bands = np.flatnonzero(near_face(lattice, ring, folded))
+        through, columns, points = through_face(lattice, ring, bands)
+        order = np.argsort(through, kind="stable")
+        for run in np.split(order, np.flatnonzero(np.diff(through[order]) > BANDS) + 1):
+            if not len(run):
+                continue
+            a, b = span(lattice, through[run], points[run])
+            point, at = nearest(points[run]), float(lattice.u[ring])
+            said = f"the face at the {name} meets the sweep from {between(a, b, lattice.u[[0, -1]])}, at {spot(point)}."
+            cells = cells_of(lattice, through[run], columns[run])
+            places.append(Place("ends", tuple(sorted(((at, at), (a, b)))), tuple(point.tolist()), said, cells))
+    return places
+
+
+def near_face(lattice, ring, folded):
+    """Bands whose balls meet that round the face at a ring and its plane, and are not its own: (n - 1,) bool."""
+    nearness, rings = lattice.held(folded), np.arange(len(lattice.u))
+    near = nearness.near(np.minimum(rings, ring), np.maximum(rings, ring))
+    apart = norms(lattice.path - lattice.path[ring]) > lattice.radii + lattice.radii[ring]
+    over = np.abs((lattice.path - lattice.path[ring]) @ lattice.normals[ring]) > lattice.radii
+    far = near | apart | over
+    return ~(far[1:] & far[:-1])
+
+
+def largest(lattice, limit, known):
+    """The factor of the contours up to which a lattice is clean, by bisection, of a thousand rings or two.
+
+    Parameters
+    ----------
+    lattice : Lattice
+    limit : float
+        The factor at which it folds.
+    known : bool
+        Whether it is clean as it is.
+
+    A lattice that is clean is scaled up to where it folds, or to where its contours are larger than the trajectory.
+    """
+    while len(lattice.u) > ENOUGH:
+        thinner = lattice.thinned()
+        if len(thinner.u) > 0.8 * len(lattice.u):
+            break
+        lattice = thinner
+    low, high = (1.0, 1.0) if known else (0.0, min(1.0, limit))
+    most = min(limit, 2 * lattice.size / max(lattice.radii.max(), 1e-300))
+    while known and high < most:  # a little more is looked at first: the more overlaps the longer it takes
+        low, high = high, min(2 * high, most)
+        if not clean(lattice.scaled(high * LESS)):
+            break
+        if high == most:
+            return limit
+    if not known and limit < 1 and clean(lattice.scaled(high * LESS)):
+        return limit
+    for _ in range(BISECTIONS if high > low else 0):
+        middle = (low + high) / 2
+        low, high = (middle, high) if clean(lattice.scaled(middle)) else (low, middle)
+    return low

@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Thickness: the largest radius of a round tube with flat ends, or open ones, that does not meet itself.
+
+The tube is the union of discs across the trajectory, and it is clean while no two of them meet. As the radius grows,
+two inner discs meet first at the reach, or one at an end meets another, which is found here: for two discs in space the
+radius at which they meet is known in closed form.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+
+from ..cells import CELLS
+from ..reach import Reach, reach
+from ..search import highest
+from ..trajectories.arc_length import arc_length, subdivided
+from ..vectors import dot, norms
+
+LESS = 1 - 1e-9  # beside its neighbours the disc at an end meets at the radius of curvature, but for rounding
+DIPS = 12  # of the radius along the trajectory that are looked at closely
+PARALLEL = 1e-12  # the sine of the angle between two planes that are one or do not meet
+
+
+@lru_cache(maxsize=32)
+def thickest(trajectory):
+    """The radius at which a round tube along a smooth trajectory begins to meet itself, its ends among it.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+
+    Returns
+    -------
+    Reach
+
+    Examples
+    --------
+    A path that comes back to end one metre from its start, at a right angle to it:
+
+    >>> from sweep_addon.core.corners import Round
+    >>> from sweep_addon.core.trajectories import Polyline
+    >>> path = [(0, 0, 0), (10, 0, 0), (10, 5, 0), (5, 5, 0), (5, 1, 0)]
+    >>> hook = Polyline(path, corner=Round(2.0))
+    >>> round(reach(hook).radius, 9), round(thickest(hook).radius, 9)
+    (2.0, 1.0)
+    """
+    best = reach(trajectory)
+    if trajectory.closed or trajectory.straight:
+        return best
+    ends = [at_end(trajectory, end) for end in (0, 1)]
+    least = min(ends, key=lambda found: found.radius)
+    return least if least.radius < LESS * best.radius else best
+
+
+def at_end(trajectory, end):
+    """The least radius at which the disc at an end meets another."""
+    measure = arc_length(trajectory)
+    grid = subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
+    grid = grid[:-1] if end else grid[1:]
+    first = np.array([trajectory.domain[end]])
+    place, normal = trajectory.evaluate(first), trajectory.tangents(first, before=bool(end))
+
+    def radius(u):
+        return meeting(place, normal, trajectory.evaluate(u), trajectory.tangents(u))
+
+    values = radius(grid)
+    beside = np.pad(values, 1, constant_values=np.inf)
+    dips = np.flatnonzero((values <= beside[:-2]) & (values <= beside[2:]) & np.isfinite(values))
+    dips = dips[np.argsort(values[dips], kind="stable")[:DIPS]]
+    if not len(dips):
+        return Reach(np.inf)
+    low, high = grid[np.maximum(dips - 1, 0)], grid[np.minimum(dips + 1, len(grid) - 1)]
+    u, least = highest(lambda u: -radius(u), low, high)
+    u, least = np.concatenate((u, grid[dips])), np.concatenate((-least, values[dips]))
+    nearest = np.argmin(least)
+    return Reach(float(least[nearest]), tuple(sorted((float(first[0]), float(u[nearest])))))
+
+
+def meeting(place, normal, places, normals):
+    """At which radius a disc meets other discs of the same radius: (n,), infinite where their planes do not meet.
+
+    Parameters
+    ----------
+    place, normal : (1, 3) float array
+        The centre of the disc, and the unit normal of its plane.
+    places, normals : (n, 3) float array
+        Those of the others.
+
+    The planes meet in a line. On it the larger one of the distances from the two centres is least at the foot of one
+    of them or where both are the same.
+
+    Examples
+    --------
+    >>> x, z = np.eye(3)[:1], np.eye(3)[2:]
+    >>> meeting(0 * x, z, np.array([[3.0, 0, 4], [5, 0, 0]]), np.array([[1.0, 0, 0], [0, 0, 1]])).tolist()
+    [4.0, 2.5]
+    """
+    normal = np.broadcast_to(normal, normals.shape)
+    line, chord = np.cross(normal, normals), places - place
+    sine, apart = norms(line), norms(chord)
+    parallel = sine < PARALLEL
+    sine = np.where(parallel, 1.0, sine)
+    first, last = (np.abs(dot(chord, n)) / sine for n in (normals, normal))  # from the centres to the line
+    along = np.abs(dot(chord, line)) / sine  # from foot to foot
+    equal = (last**2 - first**2 + along**2) / np.where(along > 0, 2 * along, 1.0)
+    met = np.hypot(first, equal)
+    met = np.where(first >= np.hypot(last, along), first, np.where(last >= np.hypot(first, along), last, met))
+    one = np.abs(dot(chord, normal)) <= PARALLEL * apart
+    return np.where(parallel, np.where(one, apart / 2, np.inf), met)
