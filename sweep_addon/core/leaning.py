@@ -39,10 +39,11 @@ class Leaning(Chart):
         along = self.places
         if self.texture is Texture.UNIT:
             along = (along - along.min()) / np.ptp(along)
-        ahead = along[self.grid.following]
+        columns = self.grid.strips[0]  # those that a face follows: an open outline ends with one that none does
+        along, ahead = along[columns], along[self.grid.following[columns]]
         sides = np.empty((len(along), self.rings - 1, 4, 2), dtype)
         sides[..., 0] = np.stack((along[:, :-1], ahead[:, :-1], ahead[:, 1:], along[:, 1:]), axis=2)
-        sides[..., 1] = np.stack((left, right, right, left), axis=1)[:, None]
+        sides[..., 1] = np.stack((left, right, right, left), axis=1)[columns, None]
         parts = [sides.ravel(), *(cap.ravel() for cap in self.cap_uv(dtype))]
         uv = empty(sum(part.size for part in parts), dtype)
         return np.concatenate(parts, out=uv).reshape(-1, 2)

@@ -17,7 +17,6 @@ from .drawn import affine, drawn
 from .frames import Frames, turn
 from .generalized_cylinder import ATTRIBUTES, section_of
 from .grid import Grid
-from .leaning import Leaning
 from .limits import Flat, Limit, Open, Plane
 from .mesh import Mesh, require_few
 from .parameters import ShapeError, at, declared, parameter, require
@@ -25,7 +24,6 @@ from .sampling import Count, Sampling, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
 from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
-from .trimming import cuts, limited, ranged
 
 AS_THICK = {Circle: {"radius": 0.1}, **generalized_cylinder.AS_THICK}
 SMOOTH = {Polyline: {"corner": "round"}}
@@ -101,6 +99,9 @@ class PDCurveSweep:
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((40, 3), 'float64', 0)
         """
+        from .leaning import Leaning  # most sweeps have no plane, and Blender starts a little sooner without
+        from .trimming import limited
+
         section, bending, stations, told = self.laid_out()
         limits = (Flat(), Flat()) if stations.closed else (self.start, self.end)
         heights, leaning, axis = self.rings(section, bending, stations, limits)
@@ -166,6 +167,8 @@ class PDCurveSweep:
 
     def rings(self, section, bending, stations, limits):
         """The heights of all points of each ring, (m, n), which of them lean, (n,) bool, and the axis there."""
+        from .trimming import cuts, ranged
+
         lines = []
         for key, limit, at_end in zip(("start", "end"), limits, (False, True), strict=True):
             flat = np.full(len(section.points), bending.total if at_end else 0.0)

@@ -7,7 +7,7 @@ import pytest
 from solids import GLYPHS, TEAPOT_INNER, TEAPOT_OUTER, assert_solid
 
 from sweep_addon.core.chart import Texture
-from sweep_addon.core.contours import Circle, Rectangle
+from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.directions import Arrows, Cubic, Guide, Tilt
 from sweep_addon.core.forms import dump, load
 from sweep_addon.core.limits import Flat, Open, Plane
@@ -161,6 +161,19 @@ def test_a_closed_axis_has_no_ends():
 def test_open_limits_leave_a_surface():
     shape = PDCurveSweep(Circle(0.1, points=12), start=Open(), end=Plane((0, 0.8, 1), (0.2, 1, 0)))
     assert_solid(shape.mesh(), 1, boundary=12)
+
+
+def test_an_open_outline_makes_a_surface_between_planes_with_true_textures():
+    outline = Outline([[(0, 0), (0.3, 0), (0.3, 0.2)]], closed=False)
+    planes = Plane((0, 0, 0.5), (0.4, 0, 1)), Plane((0, 0, 2.5), (-0.3, 0.2, 1))
+    mesh = PDCurveSweep(outline, UPRIGHT, ALONG_X, *planes, Count(5)).mesh()
+    start, following = mesh.uv, mesh.uv[mesh.topology.following]
+    cross = (start[:, 0] * following[:, 1] - start[:, 1] * following[:, 0]) / 2
+    areas = np.abs(np.add.reduceat(cross, mesh.offsets[:-1]))
+    # By hand: trapezia as wide as the two edges, as long as between the planes at the middle of each.
+    assert mesh.area() == pytest.approx(0.3 * (2 + 0.7 * 0.15) + 0.2 * (2 + 0.7 * 0.3 - 0.2 * 0.1), rel=1e-12)
+    assert areas == pytest.approx(norms(mesh.normals), rel=1e-12)
+    assert len(mesh.non_manifold_edges()) == 0 and mesh.euler_characteristic() == 1
 
 
 def test_bending_an_upright_axis_changes_nothing():
