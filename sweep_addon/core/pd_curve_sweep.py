@@ -25,7 +25,7 @@ from .self_intersection.folds import folds_told, running_backward
 from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
 
-AS_THICK = {Circle: {"radius": 0.1}, **generalized_cylinder.AS_THICK}
+AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle: {"width": 0.3, "height": 0.1}}
 SMOOTH = {Polyline: {"corner": "round"}}
 AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
 SHORTEST = 1e-9  # of the axis, between two planes
