@@ -6,6 +6,7 @@
 Before its start and after its end the axis goes on straight.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -47,7 +48,7 @@ class Bending:
 
     def placed(self, stations):
         """The axis at stations of the trajectory, the first at its start."""
-        e2, e3, told = axes(self.frame, stations, np.zeros(len(stations.s)))
+        e2, e3, told = carried(self.frame, stations)
         return Axis(stations.u, stations.points, stations.tangent, -e2 if self.mirrored else e2, e3, told)
 
     def axis(self, z):
@@ -65,3 +66,9 @@ class Bending:
         x, y, z = points.T
         axis = self.axis(z)
         return axis.points + x[:, None] * axis.e2 + y[:, None] * axis.e3
+
+
+@lru_cache(maxsize=16)
+def carried(frame, stations):
+    """The axes of a frame that nothing twists, made once for each stations."""
+    return axes(frame, stations, np.zeros(len(stations.s)))

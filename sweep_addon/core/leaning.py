@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chart of a solid whose rings lean: each of their vertices has a place of its own along the axis."""
 
+from math import prod
+
 import numpy as np
 
 from .chart import Chart, Texture
@@ -41,12 +43,14 @@ class Leaning(Chart):
             along = (along - along.min()) / np.ptp(along)
         columns = self.grid.strips[0]  # those that a face follows: an open outline ends with one that none does
         along, ahead = along[columns], along[self.grid.following[columns]]
-        sides = np.empty((len(along), self.rings - 1, 4, 2), dtype)
-        sides[..., 0] = np.stack((along[:, :-1], ahead[:, :-1], ahead[:, 1:], along[:, 1:]), axis=2)
-        sides[..., 1] = np.stack((left, right, right, left), axis=1)[columns, None]
-        parts = [sides.ravel(), *(cap.ravel() for cap in self.cap_uv(dtype))]
-        uv = empty(sum(part.size for part in parts), dtype)
-        return np.concatenate(parts, out=uv).reshape(-1, 2)
+        shape = len(along), self.rings - 1, 4, 2
+        caps = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in self.cap_uv(dtype))])
+        uv = empty(prod(shape) + len(caps), dtype)
+        sides, uv[prod(shape) :] = uv[: prod(shape)].reshape(shape), caps
+        for corner, values in enumerate((along[:, :-1], ahead[:, :-1], ahead[:, 1:], along[:, 1:])):
+            sides[:, :, corner, 0] = values
+            sides[:, :, corner, 1] = (left if corner in (0, 3) else right)[columns, None]
+        return uv.reshape(-1, 2)
 
     def along(self, dtype=np.float64):
         """Values at each vertex that depend on its place along the axis: u and arc_length."""

@@ -154,7 +154,7 @@ class PDCurveSweep:
         if self.trajectory.closed and any(isinstance(limit, Plane) for limit in (self.start, self.end)):
             told = ("Limits: a closed trajectory has no ends, so no plane cuts anything off.",)
         bending = Bending(self.trajectory, self.direction, total)
-        reach = float(np.linalg.norm(section.points, axis=1).max())
+        reach = 0.0 if isinstance(self.samples, Count) else float(np.linalg.norm(section.points, axis=1).max())
         with at("direction"):
             stations = stand(self.samples, self.trajectory, self.direction, reach)
             axis = bending.placed(stations)
