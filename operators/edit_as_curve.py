@@ -1,18 +1,22 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turn a contour or trajectory that is numbers into a curve object that can be edited."""
+"""Turn a contour, trajectory or direction that is numbers into a curve object that can be edited."""
 
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import curves, objects
+from ..sweep_addon.bridge import beside, curves, objects
 from ..sweep_addon.core.parameters import ShapeError, parameters
 
-EDITABLE = {"trajectory": "The path along which the contour moves", "contour": "The outline that moves"}
+EDITABLE = {
+    "trajectory": "The path along which the contour moves",
+    "contour": "The outline that moves",
+    "direction": "A guide beside the path, to which the contour's x axis points; the path becomes a curve first",
+}
 
 
 class OBJECT_OT_sweep_edit_as_curve(Operator):
-    """Make a curve object of the contour or trajectory, which the sweep then follows"""
+    """Make a curve object of the contour, trajectory or direction, which the sweep then follows"""
 
     bl_idname = "object.sweep_edit_as_curve"
     bl_label = "Edit as Curve"
@@ -41,15 +45,25 @@ class OBJECT_OT_sweep_edit_as_curve(Operator):
         if curve:
             self.report({"ERROR"}, f"The {self.parameter} is the object {curve.name!r} already: edit that")
             return {"CANCELLED"}
-        if self.parameter == objects.carrier(shape) and ob.animation_data:
+        made = [self.parameter]
+        if self.parameter == "direction" and "trajectory" not in objects.inputs(ob.data):
+            made.insert(0, "trajectory")
+        if objects.carrier(shape) in made and ob.animation_data:
             self.report({"ERROR"}, f"The object {ob.name!r} is animated: clear its animation first, the curve moves it")
             return {"CANCELLED"}
         try:
-            value = getattr(objects.from_object(ob), self.parameter)
+            value = objects.from_object(ob)
+            drawn = [MAKERS[name](value, f"{ob.name} {name.title()}") for name in made]
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        make = curves.from_trajectory if self.parameter == "trajectory" else curves.from_contour
-        curve = objects.link(context, make(value, f"{ob.name} {self.parameter.title()}"))
-        objects.use(ob, self.parameter, curve)
+        for name, curve in zip(made, drawn, strict=True):
+            objects.use(ob, name, objects.link(context, curve))
         return {"FINISHED"}
+
+
+MAKERS = {
+    "trajectory": lambda shape, name: curves.from_trajectory(shape.trajectory, name),
+    "contour": lambda shape, name: curves.from_contour(shape.contour, name),
+    "direction": lambda shape, name: curves.from_trajectory(beside.guide(shape), name),
+}

@@ -72,9 +72,12 @@ def draw_sweep(layout, context, mesh, say):
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
     if frames:
         frames.prop(context.window_manager, "sweep_show_frames")
-    row = layout.row(align=True)
-    for p in reversed([p for p in declared if p.name in EDITABLE]):
-        row.operator("object.sweep_edit_as_curve", text=f"Edit {p.name.title()}").parameter = p.name
+    names = {p.name for p in declared if p.accepts}
+    editable = [name for name in EDITABLE if name in names]
+    for some in filter(None, (editable[:2], editable[2:])):
+        row = layout.row(align=True)
+        for name in some:
+            row.operator("object.sweep_edit_as_curve", text=f"Edit {name.title()}").parameter = name
     if hasattr(shape, "bend"):
         layout.operator("object.sweep_bend")
     layout.operator("object.sweep_apply")

@@ -8,12 +8,16 @@ empties that are parented to it. As a limit an empty is a plane across its z axi
 
 import numpy as np
 
-from ..core.directions import Arrows, Guide
+from ..core.bending import Bending
+from ..core.directions import Arrows, Cubic, Guide
 from ..core.limits import Plane
 from ..core.parameters import ShapeError
+from ..core.pd_curve import joined
 from ..core.trajectories import Bezier, Polyline
+from ..core.trajectories.arc_length import arc_length
 from . import curves
 
+SEGMENTS = 16  # at least, of a guide that is made
 THIRDS = np.array([[1], [2], [3]]) / 3
 
 
@@ -48,6 +52,34 @@ def value(ob, p, trajectory, path, number, depsgraph):
     arrows = [ob, *(child for child in ob.original.children if child.type == "EMPTY")]
     places = np.array([into @ world(arrow, depsgraph) for arrow in arrows])
     return Arrows.at_points(path, places[:, :3, 3], places[:, :3, 2])
+
+
+def guide(shape):
+    """A second curve to which the contour of a shape points as it does now, as far beside the path as it is large.
+
+    Of a PD curve told by Bezier points it has as many segments and is exact; else it is a chain of cubics through
+    places evenly spaced in the parameter of the curve that is drawn for the path, so that both have the same one.
+    """
+    path, told = shape.trajectory, shape.direction
+    away = 2 * float(np.linalg.norm(shape.contour.section().points, axis=1).max())
+    if isinstance(path, Bezier) and isinstance(told, Cubic) and not path.closed:
+        vectors = told.basis.segments(told.values.values)
+        if len(vectors) == len(path.segments):
+            return Bezier(joined(path.segments + vectors * (away / np.abs(vectors).max())))
+    total, drawn = arc_length(path).total, path if isinstance(path, (Bezier, Polyline)) else curves.through(path)
+    u = np.linspace(*drawn.domain, 1 + max(SEGMENTS, 2 * len(drawn.joints())))
+    h, measure = (u[1] - u[0]) / 100, arc_length(drawn)
+
+    def beside(u):
+        axis = Bending(path, told, total).axis(measure.at(u) * (total / measure.total))
+        return axis.points + away * axis.e2
+
+    low, high = np.maximum(u - h, u[0]), np.minimum(u + h, u[-1])
+    third = (beside(high) - beside(low)) / (high - low)[:, None] * (u[1] - u[0]) / 3
+    places = beside(u)
+    segments = np.stack((places[:-1], places[:-1] + third[:-1], places[1:] - third[1:], places[1:]), axis=1)
+    points = joined(segments)
+    return Bezier(points[:-1], True) if path.closed else Bezier(points)
 
 
 def world(ob, depsgraph):

@@ -244,6 +244,8 @@ def use(ob, parameter, curve):
         curve.parent, curve.matrix_local = ob.parent, ob.matrix_local.copy()
         ob.parent = curve
         ob.matrix_basis.identity()
+    elif parameter == "direction":
+        curve.parent = group.trajectory_object  # in whose space it was made
     else:
         place, turn, _ = ob.matrix_world.decompose()  # an outline is scaled as its object is, but not as the sweep is
         curve.matrix_world = Matrix.LocRotScale(place, turn, None)

@@ -45,12 +45,12 @@ class PDCurve:
     @property
     def position(self):
         """The trajectory p(t): a `Bezier`, whose parameter counts the segments."""
-        return Bezier(chain(self.basis.segments(self.rows[:, :3])))
+        return Bezier(joined(self.basis.segments(self.rows[:, :3])))
 
     @property
     def direction(self):
         """The direction d(t): a `Cubic`."""
-        return Cubic(chain(self.basis.segments(self.rows[:, 3:])))
+        return Cubic(joined(self.basis.segments(self.rows[:, 3:])))
 
     def evaluate(self, t):
         """Position and direction at parameters.
@@ -74,6 +74,6 @@ class PDCurve:
         return np.concatenate((position.evaluate(t), direction.vectors(position, t)), axis=1)
 
 
-def chain(segments):
+def joined(segments):
     """Knot, handle, handle, knot, and so on, from the Bezier points of segments that follow each other: (n, c)."""
     return np.concatenate((segments[:, :3].reshape(-1, segments.shape[2]), segments[-1:, 3]))

@@ -24,11 +24,13 @@ from .sampling import Count, Sampling, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
 from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
+from .vectors import norms
 
 AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle: {"width": 0.3, "height": 0.1}}
 SMOOTH = {Polyline: {"corner": "round"}}
 AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
 SHORTEST = 1e-9  # of the axis, between two planes
+CORNER = np.radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
 
 
 @declared
@@ -148,9 +150,7 @@ class PDCurveSweep:
         section, told = section_of(self.contour, Fit.INSCRIBED), ()
         with at("trajectory"):
             total = arc_length(self.trajectory).total
-            corners = self.trajectory.corners()
-            if len(corners):
-                raise ShapeError(f"must be smooth, or its corners round, got a corner at u = {corners[0]:.6g}")
+            require_smooth(self.trajectory)
         if self.trajectory.closed and any(isinstance(limit, Plane) for limit in (self.start, self.end)):
             told = ("Limits: a closed trajectory has no ends, so no plane cuts anything off.",)
         bending = Bending(self.trajectory, self.direction, total)
@@ -248,6 +248,17 @@ class PDCurveSweep:
         rings = np.stack((axis.points, axis.e2, axis.e3))
         loops = tuple(np.split(np.einsum("mk,kni->nmi", affine(section.points), rings), section.offsets[1:-1], axis=1))
         return Frames(stations.u, stations.s, axis.points, axis.e1, axis.e2, axis.e3, loops)
+
+
+@lru_cache(maxsize=16)
+def require_smooth(trajectory):
+    """Refuse corners that can be seen: handles in single precision are not quite in line."""
+    corners = trajectory.corners()
+    reached = np.where(corners == trajectory.domain[0], trajectory.domain[1], corners)
+    turns = norms(trajectory.tangents(corners) - trajectory.tangents(reached, before=True))
+    seen = corners[turns > CORNER]
+    if len(seen):
+        raise ShapeError(f"must be smooth, or its corners round, got a corner at u = {seen[0]:.6g}")
 
 
 @lru_cache(maxsize=16)

@@ -122,6 +122,32 @@ def test_objects_beside_no_trajectory_object_are_refused(scene):
         objects.new_mesh(sw.PDCurveSweep(), direction=guide)
 
 
+LEVEL = sw.directions.Cubic([(0, 0, 1)] * 4)
+TURNING = {
+    "pd curve": (sw.PDCurveSweep(), 1e-6),
+    "arrows": (sw.PDCurveSweep(direction=sw.directions.Arrows([(0, 1, 0, 0), (1, 1, 0, 1)])), 1e-4),
+    "tilt": (sw.PDCurveSweep(trajectory=sw.trajectories.Helix(turns=1), direction="tilt"), 1e-3),
+    "closed": (sw.PDCurveSweep(trajectory=sw.trajectories.TorusKnot(), direction=LEVEL), 4e-3),
+}
+
+
+@pytest.mark.parametrize("name", TURNING)
+def test_a_direction_becomes_a_guide_and_the_axes_stay(scene, name):
+    """Of a PD curve to single precision; else the guide is of the fourth order, and so is the path's own curve."""
+    shape, tolerance = TURNING[name]
+    ob = sw.to_object(shape, "solid")
+    select(ob)
+    assert bpy.ops.object.sweep_edit_as_curve(parameter="direction") == {"FINISHED"}
+    update()
+    assert ob.data.sweep.error == "" and set(objects.inputs(ob.data)) == {"trajectory", "direction"}
+    model = np.random.default_rng(3).uniform((-0.2, -0.2, 0), (0.2, 0.2, 0.99 * shape.trajectory.length()), (200, 3))
+    assert np.abs(sw.from_object(ob).bend(model) - shape.bend(model)).max() < tolerance
+    guide = objects.inputs(ob.data)["direction"]
+    assert guide.parent == objects.inputs(ob.data)["trajectory"]
+    with pytest.raises(RuntimeError, match="The direction is the object 'solid Direction' already"):
+        bpy.ops.object.sweep_edit_as_curve(parameter="direction")
+
+
 def test_meshes_are_bent_along_the_active_sweep(scene):
     """A straight cube of many slices becomes a piece of a ring: every vertex keeps its distance from the axis."""
     shape = sw.PDCurveSweep(

@@ -88,6 +88,15 @@ def test_a_bent_solid_between_planes_through_the_axis_of_its_bend(tilt):
     assert_solid(mesh, 2)
 
 
+def test_handles_in_single_precision_are_in_line():
+    """As Blender keeps them; a degree is a corner that is refused."""
+    chain = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 2, 0), (1 + 1e-6, 2.1, 0), (2, 3, 0), (3, 3, 0)]
+    assert_solid(PDCurveSweep(Circle(0.1), Bezier(chain), LEVEL).mesh(), 2)
+    chain[4] = (1 + 0.1 * np.tan(np.radians(1.01)), 2.1, 0)
+    with pytest.raises(ShapeError, match="^trajectory: must be smooth, or its corners round, got a corner at u = 1$"):
+        PDCurveSweep(Circle(0.1), Bezier(chain), LEVEL).mesh()
+
+
 def test_beyond_the_end_of_a_curved_axis_the_solid_goes_on_straight():
     arc, contour = Arc(2.0, np.pi / 2), Circle(0.3, points=48)
     planes = Plane((2, -1, 0), (0.2, 1, 0.3)), Plane((-1.5, 2, 0), (1, -0.4, 0.1))
