@@ -5,7 +5,7 @@
 import bpy
 from bpy.utils import register_classes_factory
 
-from . import add_menu, frames, sidebar
+from . import add_menu, frames, previews, sidebar
 
 register_classes, unregister_classes = register_classes_factory((*add_menu.MENUS, sidebar.VIEW3D_PT_sweep))
 
@@ -22,3 +22,4 @@ def unregister():
     bpy.types.VIEW3D_MT_mesh_add.remove(add_menu.draw_in_mesh_add)
     unregister_classes()
     frames.unregister()
+    previews.unregister()

@@ -9,6 +9,7 @@ from ..sweep_addon.bridge.objects import title as title_of
 from ..sweep_addon.core.parameters import spelled
 from ..sweep_addon.core.shapes import CLASSIFICATION, SHAPES
 from ..sweep_addon.presets import PRESETS, title
+from . import previews
 
 GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
 
@@ -23,7 +24,7 @@ class VIEW3D_MT_sweep_add(Menu):
         for generator, shapes in CLASSIFICATION.items():
             self.layout.label(text=generator)
             for shape in shapes:
-                self.layout.operator(idname(shape), icon="MESH_CYLINDER")
+                self.layout.operator(idname(shape), icon_value=previews.icon(shape))
         self.layout.separator()
         for entry in dict.fromkeys(preset.group or preset for preset in PRESETS):
             if entry in GROUPS:
@@ -60,7 +61,10 @@ class VIEW3D_MT_sweep_selected(Menu):
     def draw(self, context):
         for shape in SHAPES:
             name = spelled(shape, "_").upper()
-            self.layout.operator("object.sweep_selected", text=title_of(shape), icon="MESH_CYLINDER").shape = name
+            chosen = self.layout.operator(
+                "object.sweep_selected", text=title_of(shape), icon_value=previews.icon(shape)
+            )
+            chosen.shape = name
 
 
 MENUS = (*map(menu_of, GROUPS), VIEW3D_MT_sweep_add, VIEW3D_MT_sweep_selected)

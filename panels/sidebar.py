@@ -6,13 +6,17 @@ from textwrap import wrap
 
 from bpy.types import Panel
 
+from ..operators.add_shape import idname
 from ..operators.convert import is_tube
 from ..operators.edit_as_curve import EDITABLE
 from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
+from ..sweep_addon.core.shapes import CLASSIFICATION
+from . import previews
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
+PREVIEW = 2.6  # times as high as a line
 CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; most are narrower
 
 
@@ -35,10 +39,25 @@ class VIEW3D_PT_sweep(Panel):
             say(layout, hint(context), "INFO")
             if is_tube(ob):
                 layout.operator("object.sweep_convert")
+            if context.mode == "OBJECT":
+                draw_shapes(layout)
         elif not ob.data.is_editable:
             say(layout, "The mesh is linked from another file: make it local to change it.", "LINKED")
         else:
             draw_sweep(layout, context, ob.data, say)
+
+
+def draw_shapes(layout):
+    """What can be added, with a picture of each."""
+    layout.operator_context = "INVOKE_REGION_WIN"
+    for generator, shapes in CLASSIFICATION.items():
+        layout.label(text=generator)
+        for shape in shapes:
+            row = layout.row()
+            row.template_icon(previews.icon(shape), scale=PREVIEW)
+            button = row.column()
+            button.scale_y = PREVIEW
+            button.operator(idname(shape))
 
 
 def hint(context):
@@ -60,7 +79,7 @@ def draw_sweep(layout, context, mesh, say):
     for sentence in filter(None, sweep.told.split("\n")):
         say(layout, sentence, "INFO")
     column = layout.column(align=True)
-    column.label(text=objects.title(shape), icon="MESH_CYLINDER")
+    column.label(text=objects.title(shape), icon_value=previews.icon(shape))
     column.label(text=f"{sweep.rings:,} contours, {len(mesh.polygons):,} faces", icon="BLANK1")
     column = layout.column()
     column.use_property_split = True

@@ -3,6 +3,7 @@
 """What the sidebar and the menu draw in each state, by a layout that writes down what it is asked for."""
 
 import timeit
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -14,6 +15,7 @@ from scenes import curve, parameters_of, select, square, straight, sweep, text
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.core.parameters import inside, parameters, spelled
+from sweep_addon.core.shapes import SHAPES
 
 MOST_CALLS = 150  # of the layout, in one draw: under 1 ms in a window
 
@@ -33,9 +35,13 @@ class Layout:
     def panel(self, idname, **_):
         return self.part(), None if self.folded else self.part()
 
-    def label(self, text="", icon="NONE"):
+    def label(self, text="", icon="NONE", icon_value=0):
         assert icon in bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
         self.drawn.append(text)
+
+    def template_icon(self, icon_value, scale):
+        assert icon_value >= 0 and scale > 0  # in background there are no icons, and each has the number 0
+        self.drawn.append("picture")
 
     def separator(self, **_):
         self.drawn.append("separator")
@@ -97,6 +103,15 @@ def test_without_a_sweep_it_says_what_to_do_and_offers_it(scene):
         assert "object.sweep_apply" not in calls
         assert "curve" in said(calls)
     assert "Object Mode" in said(drawn(plain, mode="EDIT_MESH"))
+
+
+def test_every_shape_is_offered_with_a_picture_of_it(scene):
+    calls = drawn()
+    offered = [f"mesh.{spelled(shape, '_')}_add" for shape in SHAPES]
+    assert [call for call in calls if call in ("picture", *offered)] == sum((["picture", name] for name in offered), [])
+    assert not {*offered} & {*drawn(mode="EDIT_MESH")}
+    pictures = Path(__file__).resolve().parents[2] / "panels" / "pictures"
+    assert {path.stem for path in pictures.glob("*.png")} == {spelled(shape, "_") for shape in SHAPES}
 
 
 def test_a_curve_with_a_bevel_can_be_converted(scene):
