@@ -60,7 +60,7 @@ def several(person):
 
     x, y = person.top(*CONTOUR)
     yield from person.hold_alt(chosen(person, x, y))
-    assert [group.contour for group in groups()] == ["RECTANGLE"] * 3 and widths() == [1.0, 1.0, 1.0]
+    assert [group.contour for group in groups()] == ["RECTANGLE"] * 3 and widths() == [0.1, 0.1, 0.1]
     yield from person.picture("s4-three-rectangles")
     yield from undone(person, before)
 
