@@ -5,7 +5,8 @@
 import bpy
 from _window import run
 
-ADD, MESH, ACROSS, SWEEP, FIRST = (285, 860), (310, 836), (500, 836), (500, 613), (690, 613)  # read off a picture
+ADD, MESH, ACROSS, SWEEP, INSIDE = (285, 860), (310, 836), (500, 836), (500, 613), (690, 613)  # read off a picture
+GENERALIZED_CYLINDER = (690, 529)
 POINTS = (592, 440)
 
 
@@ -16,9 +17,10 @@ def add_menu(person):
         yield from person.move(*place)
         yield 0.4
     yield from person.picture("a1-add-menu")
-    yield from person.click(*FIRST)
+    yield from person.move(*INSIDE)
+    yield from person.click(*GENERALIZED_CYLINDER)
     sweep = bpy.context.active_object
-    assert sweep.data.sweep.kind == "GENERALIZED_CYLINDER", "the first line of the menu adds a generalized cylinder"
+    assert sweep.data.sweep.kind == "GENERALIZED_CYLINDER"
     faces = len(sweep.data.polygons)
     yield from person.over_view()
     yield from person.press("F9")
