@@ -4,7 +4,17 @@
 
 from bpy.utils import register_classes_factory
 
-from . import add_preset, add_shape, apply, bend, convert, copy_as, edit_as_curve, sweep_selected
+from . import (
+    add_preset,
+    add_shape,
+    apply,
+    bend,
+    convert,
+    copy_as,
+    edit_as_curve,
+    find_self_intersections,
+    sweep_selected,
+)
 
 register, unregister = register_classes_factory(
     (
@@ -16,5 +26,7 @@ register, unregister = register_classes_factory(
         bend.OBJECT_OT_sweep_bend,
         copy_as.OBJECT_OT_sweep_copy,
         edit_as_curve.OBJECT_OT_sweep_edit_as_curve,
+        find_self_intersections.OBJECT_OT_sweep_find_self_intersections,
+        find_self_intersections.OBJECT_OT_sweep_select_self_intersections,
     )
 )

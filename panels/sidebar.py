@@ -13,6 +13,7 @@ from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
 from ..sweep_addon.core.shapes import CLASSIFICATION
+from ..sweep_addon.core.self_intersection.folds import PREFIX
 from . import previews
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
@@ -76,8 +77,7 @@ def draw_sweep(layout, context, mesh, say):
         say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
     elif sweep.edited:
         say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
-    for sentence in filter(None, sweep.told.split("\n")):
-        say(layout, sentence, "INFO")
+    draw_told(layout, sweep, say)
     column = layout.column(align=True)
     column.label(text=objects.title(shape), icon_value=previews.icon(shape))
     column.label(text=f"{sweep.rings:,} contours, {len(mesh.polygons):,} faces", icon="BLANK1")
@@ -103,6 +103,22 @@ def draw_sweep(layout, context, mesh, say):
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+    layout.operator("object.sweep_find_self_intersections")
+
+
+def draw_told(layout, sweep, say):
+    """What the shape tells: of self-intersections the folds, until all places have been looked for."""
+    told = sweep.told.split("\n")
+    crossing = [sentence for sentence in told if sentence.startswith(PREFIX)]
+    for sentence in told:
+        if sentence and sentence not in crossing:
+            say(layout, sentence, "INFO")
+    if sweep.looked_at == sweep.made:
+        crossing = sweep.places.split("\n") if sweep.places else []
+    for sentence in crossing:
+        say(layout, sentence, "ERROR" if sentence.startswith(PREFIX) else "BLANK1")
+    if crossing:
+        layout.operator("object.sweep_select_self_intersections", icon="RESTRICT_SELECT_OFF")
 
 
 def is_like(other, mesh):

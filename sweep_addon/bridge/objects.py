@@ -191,7 +191,8 @@ def forget(mesh):
     """Keep a mesh and forget what it was made from."""
     parameters_of_shape = mesh.sweep.kind.lower()  # they use the input objects, which could not be deleted for good
     mesh.sweep.kind = "NONE"
-    for name in (parameters_of_shape, "made", "topology", "texture", "mark", "rings", "error", "told", "edited"):
+    kept = ("made", "topology", "texture", "mark", "rings", "error", "told", "places", "looked_at", "edited")
+    for name in (parameters_of_shape, *kept):
         mesh.sweep.property_unset(name)
 
 

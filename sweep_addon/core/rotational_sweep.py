@@ -128,6 +128,28 @@ class RotationalSweep:
         """
         return joined([self.body(section, dtype) for section in self.sections()])
 
+    def self_intersections(self):
+        """Where the sweep meets itself, and up to which size it does not.
+
+        Returns
+        -------
+        Places
+            A sequence of places, empty when the sweep is clean, with ``largest_safe_size``.
+
+        Examples
+        --------
+        A screw whose thread is higher than its pitch, and one whose thread is as high as it is 0.8 times as large:
+
+        >>> thread = Outline([[(1, 0), (2, 0), (2, 0.5), (1, 0.5)]])
+        >>> screw = RotationalSweep(thread, angle=4 * tau, pitch=0.4)
+        >>> places = screw.self_intersections()
+        >>> {place.kind for place in places} <= {"global", "ends"}, round(places.largest_safe_size, 4)
+        (True, 0.8)
+        """
+        from .self_intersection.screws import of_rotation
+
+        return of_rotation(self)
+
     def sections(self):
         """The sections that turn, x across the axis and y along it, which is one unless the contour is split."""
         across = (self.axis_point, self.axis_direction)

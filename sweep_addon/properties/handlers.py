@@ -7,6 +7,7 @@ from bpy.app.handlers import persistent
 
 from ..bridge.meshes import mark
 from ..bridge.objects import inputs, renders_otherwise
+from . import finding
 from .live import differs, rebuild, set_if_other
 
 INPUTS = {"CURVE", "FONT", "EMPTY"}
@@ -24,6 +25,8 @@ def after_update(scene, depsgraph):
         elif mesh.is_editable:
             changed = differs(mesh) if mesh.sweep.edited else mark(mesh) != mesh.sweep.mark
             set_if_other(mesh.sweep, "edited", changed)
+        if finding.is_due(mesh):
+            finding.soon()
 
 
 @persistent
@@ -32,6 +35,15 @@ def after_frame(scene, depsgraph):
     rendered = filter(renders_otherwise, sweeps()) if depsgraph.mode == "RENDER" else ()
     for mesh in touched(depsgraph.updates).union(rendered):
         rebuild(mesh, depsgraph)
+        if finding.is_due(mesh):
+            finding.soon()
+
+
+@persistent
+def after_history(*_):
+    """Undo, redo or a file bring meshes that may not have been looked at."""
+    if any(map(finding.is_due, sweeps())):
+        finding.soon()
 
 
 @persistent
@@ -75,6 +87,9 @@ HANDLERS = (
     (bpy.app.handlers.frame_change_post, after_frame),
     (bpy.app.handlers.render_complete, after_render),
     (bpy.app.handlers.render_cancel, after_render),
+    (bpy.app.handlers.undo_post, after_history),
+    (bpy.app.handlers.redo_post, after_history),
+    (bpy.app.handlers.load_post, after_history),
 )
 
 
@@ -86,3 +101,4 @@ def register():
 def unregister():
     for handlers, function in HANDLERS:
         handlers.remove(function)
+    finding.stop()

@@ -57,6 +57,8 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
         "rings": hidden(bpy.props.IntProperty, description="Contours along the trajectory"),
         "error": hidden(bpy.props.StringProperty, description="Why the mesh could not be made anew"),
         "told": hidden(bpy.props.StringProperty, description="What was decided where the parameters left it open"),
+        "places": hidden(bpy.props.StringProperty, description="Where the sweep meets itself"),
+        "looked_at": hidden(bpy.props.StringProperty, description="What it was made from when that was found"),
         "edited": hidden(bpy.props.BoolProperty, description="Whether the mesh was changed by hand"),
     }
 

@@ -45,6 +45,8 @@ class Lattice:
         The trajectory's parameter at each ring.
     rings : (n,) int array
         Their numbers; a closed sweep's first ring stands at its end too, with the number of all.
+    leaning : (n,) bool array
+        Which of them are not across the path: boxes alone tell what those may meet.
     """
 
     grid: Grid
@@ -55,13 +57,15 @@ class Lattice:
     radii: np.ndarray
     u: np.ndarray
     rings: np.ndarray
+    leaning: np.ndarray
 
     @classmethod
-    def of(cls, grid, at, path, middles, normals, radii, u, end):
+    def of(cls, grid, at, path, middles, normals, radii, u, end, leaning=None):
         """The lattice of all rings of a grid, a closed one's first again at the parameter where it ends."""
         rings = np.arange(grid.rings)
+        leaning = np.zeros(len(rings), bool) if leaning is None else leaning
         if not grid.closed:
-            return cls(grid, at, path, middles, normals, radii, u, rings)
+            return cls(grid, at, path, middles, normals, radii, u, rings, leaning)
         seam = np.array(grid.seam, dtype=int) if grid.seam else slice(None)
 
         def at_again(asked):
@@ -73,7 +77,17 @@ class Lattice:
 
         again = np.append(rings, 0)
         parts = (part[again] for part in (path, middles, normals, radii))
-        return cls(grid, at_again, *parts, np.append(u, end), np.append(rings, grid.rings))
+        return cls(grid, at_again, *parts, np.append(u, end), np.append(rings, grid.rings), leaning[again])
+
+    @classmethod
+    def of_vertices(cls, grid, vertices, path, normals, u, end, leaning=None):
+        """The lattice of the vertices (v, 3) of a mesh with that grid and no tips."""
+        points = np.empty((grid.columns, grid.rings, 3))
+        lines = len(grid.lines) * grid.rings
+        points[grid.lines] = vertices[:lines].reshape(-1, grid.rings, 3)
+        points[list(grid.poles)] = vertices[lines:, None]
+        radii = np.sqrt(sum((points[..., axis] - path[:, axis]) ** 2 for axis in range(3)).max(axis=0))
+        return cls.of(grid, lambda asked: points[:, asked], path, path, normals, radii, u, end, leaning)
 
     def points(self, which):
         """The points of rings, by their places in this lattice: (...) int to (m, ..., 3)."""
@@ -101,7 +115,7 @@ class Lattice:
 
     def only(self, kept):
         """Some rings of it, as (n,) bools say."""
-        parts = (self.path, self.middles, self.normals, self.radii, self.u, self.rings)
+        parts = (self.path, self.middles, self.normals, self.radii, self.u, self.rings, self.leaning)
         return Lattice(self.grid, self.at, *(part[kept] for part in parts))
 
     @cached_property
@@ -132,7 +146,8 @@ class Lattice:
     def unsure(self):
         """How many bands up to each ring turn so much that discs round their contours might meet: (n,) int."""
         forward = dot(np.diff(self.path, axis=0), self.normals[1:] + self.normals[:-1]) / 2
-        return np.concatenate(([0], np.cumsum(self.turns * self.radii.max() > SURE * forward)))
+        leaning = self.leaning[1:] | self.leaning[:-1]
+        return np.concatenate(([0], np.cumsum((self.turns * self.radii.max() > SURE * forward) | leaning)))
 
     def held(self, folded):
         """Whether stretches of rings in which discs cannot meet, or which hold a fold, are near: a `Nearness`."""
