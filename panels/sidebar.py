@@ -12,8 +12,8 @@ from ..operators.edit_as_curve import EDITABLE
 from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
-from ..sweep_addon.core.shapes import CLASSIFICATION
 from ..sweep_addon.core.self_intersection.folds import PREFIX
+from ..sweep_addon.core.shapes import CLASSIFICATION
 from . import previews
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are

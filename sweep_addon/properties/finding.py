@@ -46,10 +46,11 @@ def look():
     due = [mesh for mesh in bpy.data.meshes if is_due(mesh)]
     if not due:
         return None
-    if not bpy.app.is_job_running("RENDER"):
-        find(due[0])
-        redraw()
-    return NEXT if len(due) > 1 or is_due(due[0]) else None
+    if bpy.app.is_job_running("RENDER"):
+        return MOMENT  # meshes are as the render asks for
+    find(due[0])
+    redraw()
+    return NEXT if len(due) > 1 else None
 
 
 def redraw():
