@@ -102,7 +102,7 @@ class PDCurveSweep:
         ((40, 3), 'float64', 0)
         """
         from .leaning import Leaning  # most sweeps have no plane, and Blender starts a little sooner without
-        from .trimming import limited
+        from .trimming import lean, limited
 
         section, bending, stations, told = self.laid_out()
         limits = (Flat(), Flat()) if stations.closed else (self.start, self.end)
@@ -130,12 +130,37 @@ class PDCurveSweep:
         )
         rings = np.stack((axis.points, axis.e2, axis.e3))
         vertices = drawn(grid, affine(section.points), rings, dtype)
-        parameters = lean(vertices.reshape(*heights.shape, 3), bending, section, axis.u, heights, leaning, edges)
         flat = tuple(outline.points for outline in outlines)
         around = lengths_around(section, np.ones(2))
         known = (grid, axis.u, heights.mean(axis=0), stations.total, around, flat, self.texture, self.attributes)
+        parameters = lean(vertices.reshape(*heights.shape, 3), bending, section, axis.u, heights, leaning, edges)
         chart = Leaning(*known, heights, parameters) if leaning.any() else Chart(*known)
         return Mesh(vertices, grid.topology(), chart, told + axis.told)
+
+    def self_intersections(self):
+        """Where the solid meets itself, and up to which size it does not.
+
+        Returns
+        -------
+        Places
+            A sequence of places, empty when the solid is clean, with ``largest_safe_size``.
+
+        Source
+        ------
+        As of a generalized cylinder; between limiting planes what they leave is looked at, on the faces of the mesh. A
+        larger contour is measured with its faces at the planes scaled along.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.directions import Arrows
+        >>> from sweep_addon.core.trajectories import Arc
+        >>> found = PDCurveSweep(Rectangle(0.2, 0.8), Arc(radius=0.3), Arrows([(0, 0, 0, 1)])).self_intersections()
+        >>> [place.kind for place in found], round(found.largest_safe_size, 9)
+        (['local'], 0.75)
+        """
+        from .self_intersection.solids import of_solid
+
+        return of_solid(self)
 
     @classmethod
     def along_curve(cls):
@@ -287,24 +312,3 @@ def stand(samples, trajectory, direction, reach):
         return np.maximum(np.sqrt(reach * rate**2 / (8 * chord)), np.abs(rate) / WIDEST_TURN)
 
     return place(trajectory, samples, (), steps)
-
-
-def lean(vertices, bending, section, u, heights, leaning, edges):
-    """Put vertices, (m, n, 3), of rings that lean, and of those that have edges known, where they belong.
-
-    Returns
-    -------
-    (m, n) float array
-        The trajectory's parameter at each vertex.
-    """
-    parameters = np.broadcast_to(u, heights.shape)
-    if leaning.any():
-        parameters = parameters.copy()
-        own = bending.axis(heights[:, leaning].ravel())
-        x, y = np.repeat(section.points, np.count_nonzero(leaning), axis=0).T[..., None]
-        vertices[:, leaning] = (own.points + x * own.e2 + y * own.e3).reshape(len(heights), -1, 3)
-        parameters[:, leaning] = own.u.reshape(len(heights), -1)
-    for side, edge in zip((0, -1), edges, strict=True):
-        if edge is not None:
-            vertices[:, side] = edge
-    return parameters

@@ -11,11 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from .parameters import ShapeError, require
+from .self_intersection.folds import roots
 from .vectors import unit
 
 PLACES = 257  # at least, where it is looked at on which side of the plane the lines are
-ROUNDING = 16 * np.finfo(float).eps  # of the coordinates
-STEPS = 100  # of the search for a cut; a few are enough where the lines are smooth
 FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
 ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
 CLOSEST = 1e-3  # of the mean step: a ring nearer to another would make slivers
@@ -80,27 +79,12 @@ def looked_at(plane, bending, section, at_end):
 
 
 def crossings(plane, bending, section, low, high):
-    """Heights between pairs of them, (m,) and (m,), where the line of each point crosses the plane.
-
-    Source: the Illinois method, regula falsi that halves the value kept at an end twice.
-    """
+    """Heights between pairs of them, (m,) and (m,), where the line of each point crosses the plane."""
 
     def above(z):
         return plane.heights(bending.bend(np.column_stack((section.points, z))))
 
-    at_low, at_high = above(low), above(high)
-    small = ROUNDING * (np.abs(plane.point).max() + bending.total + np.abs(section.points).max())
-    z = np.where(np.abs(at_low) < np.abs(at_high), low, high)
-    for _ in range(STEPS):
-        span = at_high - at_low
-        z = np.where(span == 0, z, (low * at_high - high * at_low) / np.where(span == 0, 1.0, span))
-        here = above(z)
-        if ((np.abs(here) <= small) | (np.abs(z - high) <= small)).all():
-            break
-        crossed = np.sign(here) != np.sign(at_high)
-        low, at_low = np.where(crossed, high, low), np.where(crossed, at_high, at_low / 2)
-        high, at_high = z, here
-    return z
+    return roots(above, low, high, above(low), above(high))
 
 
 def ranged(stations, total, starts, ends):
@@ -166,3 +150,24 @@ def limited(plane, bending, section, heights, axis, side):
     y = np.cross(across, x)
     y *= np.sign(y @ e3)
     return replace(section, points=(edge - axis.points[side]) @ np.stack((x, y), axis=1)), edge
+
+
+def lean(vertices, bending, section, u, heights, leaning, edges):
+    """Put vertices, (m, n, 3), of rings that lean, and of those that have edges known, where they belong.
+
+    Returns
+    -------
+    (m, n) float array
+        The trajectory's parameter at each vertex.
+    """
+    parameters = np.broadcast_to(u, heights.shape)
+    if leaning.any():
+        parameters = parameters.copy()
+        own = bending.axis(heights[:, leaning].ravel())
+        x, y = np.repeat(section.points, np.count_nonzero(leaning), axis=0).T[..., None]
+        vertices[:, leaning] = (own.points + x * own.e2 + y * own.e3).reshape(len(heights), -1, 3)
+        parameters[:, leaning] = own.u.reshape(len(heights), -1)
+    for side, edge in zip((0, -1), edges, strict=True):
+        if edge is not None:
+            vertices[:, side] = edge
+    return parameters

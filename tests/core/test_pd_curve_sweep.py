@@ -8,6 +8,7 @@ from solids import GLYPHS, TEAPOT_INNER, TEAPOT_OUTER, assert_solid
 
 from sweep_addon.core.chart import Texture
 from sweep_addon.core.contours import Circle, Outline, Rectangle
+from sweep_addon.core.corners import Round
 from sweep_addon.core.directions import Arrows, Cubic, Guide, Tilt
 from sweep_addon.core.forms import dump, load
 from sweep_addon.core.limits import Flat, Open, Plane
@@ -312,6 +313,37 @@ def test_a_thousand_random_shapes_are_solids(hundred):
             if isinstance(limit, Plane) and not shape.trajectory.closed:
                 assert np.abs(limit.heights(columns(mesh, section)[:, side])).max() < 1e-14
     assert refused <= 5
+
+
+HOOK = Polyline([(0, 0, 0), (10, 0, 0), (10, 5, 0), (5, 5, 0), (5, -5, 0)], corner=Round(1.0))
+
+
+@pytest.mark.parametrize("size, clean", [(0.79, True), (0.81, False)])
+def test_a_round_knot_is_clean_up_to_its_reach(size, clean):
+    """The reach of this torus knot is 0.8."""
+    found = PDCurveSweep(Circle(size), TorusKnot(2, 3, 2.0, 0.8), Cubic([(0, 0, 1)] * 4)).self_intersections()
+    assert (len(found) == 0) == clean and found.largest_safe_size == pytest.approx(0.8, abs=1e-9)
+
+
+def test_a_path_that_crosses_itself_is_clean_where_a_plane_cuts_it_off():
+    """It comes down through its own first leg at (5, 0, 0), and no more where it ends at y = 1, leaning either way."""
+    square = Rectangle(1.0, 1.0)
+    crossing = PDCurveSweep(square, HOOK, LEVEL).self_intersections()
+    assert [place.kind for place in crossing] == ["global"]
+    assert np.hypot(*(np.array(crossing[0].point[:2]) - (5, 0))) < 1
+    for lean in (-0.4, 0.0, 0.3):
+        short = PDCurveSweep(square, HOOK, LEVEL, end=Plane((5, 1.2, 0), (lean, 1, 0.2)))
+        assert len(short.self_intersections()) == 0
+    longer = PDCurveSweep(square, HOOK, LEVEL, end=Plane((5, 0, 0), (0.2, 1, 0.2))).self_intersections()
+    assert len(longer) > 0
+
+
+def test_a_fold_that_a_plane_cuts_off_is_none():
+    """Round a bend of 0.3 m a contour of 0.4 m to the inside folds; straight on before it does not."""
+    path = Polyline([(0, 0, 0), (3, 0, 0), (3, 3, 0)], corner=Round(0.3))
+    contour = Rectangle(0.2, 0.8)
+    assert "local" in [place.kind for place in PDCurveSweep(contour, path, LEVEL).self_intersections()]
+    assert len(PDCurveSweep(contour, path, LEVEL, end=Plane((2.0, 0, 0), (1, 0.3, 0))).self_intersections()) == 0
 
 
 def test_frames_are_the_axes_of_the_mesh():
