@@ -158,31 +158,14 @@ class PDCurveSweep:
         >>> [place.kind for place in found], round(found.largest_safe_size, 9)
         (['local'], 0.75)
         """
-        from .self_intersection.solids import of_solid
+        from .self_intersection.pd_curves import of_pd_curve
 
-        return of_solid(self)
+        return of_pd_curve(self)
 
     @classmethod
     def along_curve(cls):
         """The sweep that follows a drawn curve first, whose own tilt is the direction."""
         return cls(direction=Tilt())
-
-    def self_intersections(self):
-        """Where the sweep meets itself, and up to which size it does not.
-
-        Returns
-        -------
-        Places
-            A sequence of places, empty when the sweep is clean, with ``largest_safe_size``.
-
-        Examples
-        --------
-        >>> len(PDCurveSweep().self_intersections())
-        0
-        """
-        from .self_intersection.pd_curves import of_pd_curve
-
-        return of_pd_curve(self)
 
     def laid_out(self):
         """The section, the bending of the axis, its stations, and what is to be told.

@@ -2,28 +2,49 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Self-intersection of PD curve sweeps: a constant section whose rings lean where a plane cuts them off."""
 
+from dataclasses import replace
+from functools import lru_cache
+
 import numpy as np
 
 from ..cells import bend
-from ..limits import Flat
+from ..contours import Circle
+from ..generalized_cylinder import GeneralizedCylinder
+from ..limits import Flat, Plane
 from ..vectors import norms
+from .cylinders import of_cylinder, support
 from .detect import together
 from .lattice import Lattice
 from .local import Local
 
 
+@lru_cache(maxsize=16)
 def of_pd_curve(shape):
     """The places where a PD curve sweep meets itself: `Places`."""
+    limits = (Flat(), Flat()) if shape.trajectory.closed else (shape.start, shape.end)
+    planes = [isinstance(limit, Plane) for limit in limits]
+    tube = isinstance(shape.contour, Circle)
+    if tube and not any(planes):  # whichever way it is turned
+        path = replace(shape.trajectory, radii=(), tilts=()) if shape.trajectory.carries else shape.trajectory
+        return of_cylinder(GeneralizedCylinder(shape.contour, path, shape.samples, start=limits[0], end=limits[1]))
     section, bending, stations, _ = shape.laid_out()
-    limits = (Flat(), Flat()) if stations.closed else (shape.start, shape.end)
     heights, leaning, axis = shape.rings(section, bending, stations, limits)
-    mesh = shape.mesh()
-    end = stations.trajectory.domain[1]
-    lattice = Lattice.of_vertices(mesh.chart.grid, mesh.vertices, axis.points, axis.e1, axis.u, end, leaning)
+    mesh, end = shape.mesh(), stations.trajectory.domain[1]
+    normals = axis.e1.copy()
+    for side in np.flatnonzero(planes):  # the face there lies in its plane
+        across = limits[side].across
+        normals[-side] = across * np.sign(across @ axis.e1[-side])
+    lattice = Lattice.of_vertices(mesh.chart.grid, mesh.vertices, axis.points, normals, axis.u, end, leaning)
 
     def carried(stations):
         axis = bending.placed(stations)
         return bend(stations.trajectory, stations.u), np.zeros_like(axis.points), axis.e2, axis.e3
 
-    local = Local(stations, carried, section.support, float(norms(section.points).max()))
-    return together(lattice, local)
+    local = Local(stations, carried, support(shape.contour), float(norms(section.points).max()))
+    if any(planes):  # what they cut off may fold
+        first, last = np.clip((heights.min(), heights.max()), 0.0, stations.total)
+        local.grid = np.unique(
+            np.concatenate(([first], local.grid[(local.grid > first) & (local.grid < last)], [last]))
+        )
+    size, unit = (shape.contour.radius, "radius") if tube else (1.0, "scale")
+    return together(lattice, local, size=size, unit=unit)
