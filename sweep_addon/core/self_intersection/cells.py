@@ -37,11 +37,13 @@ def crossings(lattice, pairs):
     apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
     first, last = first[:, apart], last[:, apart]
     a, b = quads(lattice, first), quads(lattice, last)
+    near = np.flatnonzero(reach_slabs(a, b))
+    near = near[reach_slabs(b[near], a[near])]
     which, points = [], []
     for one in TRIANGLES:
         for other in TRIANGLES:
-            for hit, where in triangles_cross(a[:, one], b[:, other], TOUCHING * lattice.size):
-                which.append(hit)
+            for hit, where in triangles_cross(a[near[:, None], one], b[near[:, None], other], TOUCHING * lattice.size):
+                which.append(near[hit])
                 points.append(where)
     which = np.concatenate(which)
     return Crossings(*np.stack((first, last), axis=2)[:, which], np.concatenate(points))
@@ -116,6 +118,13 @@ def split(first, last, rows, columns):
     first[1:] += np.tile(np.repeat(parts, count, axis=1), pairs)
     last[1:] += np.tile(np.tile(parts, count), pairs)
     return first, last
+
+
+def reach_slabs(cells, others):
+    """Whether cells (k, 4, 3) reach into the slabs between two planes that hold other ones: (k,) bool."""
+    normal = np.cross(others[:, 2] - others[:, 0], others[:, 3] - others[:, 1])
+    over, own = (np.einsum("kci,ki->kc", part - others[:, :1], normal) for part in (cells, others))
+    return (over.min(axis=1) <= own.max(axis=1)) & (over.max(axis=1) >= own.min(axis=1))
 
 
 def triangles_cross(a, b, tolerance):

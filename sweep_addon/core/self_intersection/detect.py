@@ -109,8 +109,9 @@ def nearest(points):
 
 def cells_of(lattice, bands, columns):
     """Cells by the numbers of their first and last ring and their column: (k, 3) int array."""
-    cells = np.stack((lattice.rings[bands], lattice.rings[bands + 1], columns), axis=1)
-    return np.unique(cells, axis=0)
+    columns_of = lattice.grid.columns
+    bands, columns = np.divmod(np.unique(bands * columns_of + columns), columns_of)
+    return np.stack((lattice.rings[bands], lattice.rings[bands + 1], columns), axis=1)
 
 
 def span(lattice, bands, points):

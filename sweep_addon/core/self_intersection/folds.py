@@ -15,7 +15,6 @@ from ..search import highest
 from ..vectors import dot, norms
 from ..wording import near
 
-NEAR = 0.3  # of a folding: peaks that are lower are not looked at between the grid's places
 PEAKS = 16
 PREFIX, TOLD = "Self-intersection: ", 3  # how every sentence about it begins, and how many of one kind are told
 ROUNDING = 1e-12  # of the trajectory's length
@@ -72,9 +71,9 @@ def roots(function, low, high, at_low, at_high):
 
 def with_peaks(folding, grid, values):
     """The grid and the values there, with those of peaks between its places that reach 0 where it does not."""
-    inner = np.arange(1, len(grid) - 1)
-    peak = (values[inner] >= values[inner - 1]) & (values[inner] >= values[inner + 1])
-    inner = inner[peak & (values[inner] < 0) & (values[inner] > -NEAR)]
+    before, here, after = values[:-2], values[1:-1], values[2:]
+    rise = here - np.minimum(before, after)  # eight times what a parabola may rise between places above the highest
+    inner = 1 + np.flatnonzero((here >= before) & (here >= after) & (here < 0) & (here + rise >= 0))
     inner = np.sort(inner[np.argsort(-values[inner], kind="stable")[:PEAKS]])
     if not len(inner):
         return grid, values

@@ -218,7 +218,7 @@ def coarse(lattice, folded):
     """
     while True:
         found = far_pairs(lattice, folded)
-        if len(found) <= 4 * MANY:
+        if len(found) <= 2 * MANY:
             found = found[boxes_meet(lattice, *found.T)]
         if len(found) <= MANY or len(lattice.u) <= FEWEST:
             return lattice, found

@@ -9,9 +9,10 @@ from ..cells import bend
 from ..search import highest
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .folds import NEAR, folding, in_order, intervals, safe_factor, sentence
+from .folds import folding, in_order, intervals, safe_factor, sentence
 from .places import Place
 
+NEAR = 0.7  # of the radius of curvature: no contour that reaches less may reach it between two places
 LOWEST = 8  # places where the factor at which a contour folds is looked at closely
 
 
@@ -32,15 +33,15 @@ class Local:
 
     def __init__(self, stations, carried, support, farthest):
         self.trajectory, self.measure = stations.trajectory, arc_length(stations.trajectory)
-        self.carried, self.support, self.farthest = carried, support, farthest
+        self.stations, self.carried, self.support, self.farthest = stations, carried, support, farthest
         grid = np.unique(np.concatenate((stations.s, self.measure.lengths)))
         self.grid = grid[np.append(True, np.diff(grid) > 1e-12 * self.measure.total)]
 
     @property
     def curved(self):
         """Whether a contour comes anywhere near a centre of curvature."""
-        bends = norms(bend(self.trajectory, self.measure.parameter(self.grid)))
-        return bends.max() * self.farthest > 1 - NEAR
+        u = np.concatenate((self.stations.u, self.measure.nodes))
+        return norms(bend(self.trajectory, u)).max() * self.farthest > NEAR
 
     def at(self, s):
         """What `folding` asks, at rising arc lengths: four (n, 3)."""
