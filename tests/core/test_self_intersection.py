@@ -83,7 +83,7 @@ def test_of_a_fold_only_what_the_contour_reaches_towards_the_centre_counts(turn)
     reached = 0.25 * np.cos(turn) + np.sin(turn)
     shapes = [GeneralizedCylinder(Rectangle(x, y), RING, Count(32), twist=turn) for x, y in ((0.5, 2.0), (2.0, 0.5))]
     safe = [shape.self_intersections().largest_safe_size for shape in shapes]
-    assert min(abs(np.array(safe) - 1 / reached)) < 1e-6  # of either, whichever axis lies in the plane of the ring
+    assert min(abs(np.array(safe) - 1 / reached)) < 3e-5  # of either, whichever axis lies in the plane of the ring
 
 
 def test_a_fold_of_a_changing_scale_is_where_the_scaled_radius_is_that_of_curvature():
@@ -122,7 +122,7 @@ def test_two_mitres_of_a_right_angle_need_a_leg_as_long_as_the_contour_is_broad(
     path = Polyline([(0, 0, 0), (4, 0, 0), (4, 0.4, 0), (0, 0.4, 0)])
     places = found(Rectangle(side, side), path)
     assert kinds <= {place.kind for place in places} and bool(places) == bool(kinds)
-    assert places.largest_safe_size * side == pytest.approx(0.4, rel=1e-5)
+    assert places.largest_safe_size * side == pytest.approx(0.4, rel=3e-5)
     if kinds:
         assert places[0].parameters == ((1.0, 2.0),) and places[0].sentence == (
             "the leg from u = 1 to 2 is 0.4 m long, and its mitres need 0.41 m."
@@ -153,7 +153,7 @@ def test_of_two_square_beams_that_cross_the_sides_are_the_distance():
     for side, clean in ((0.999, True), (1.001, False)):
         places = found(Rectangle(side, side), path)
         assert (not places) is clean
-        assert places.largest_safe_size * side == pytest.approx(1.0, rel=1e-5)
+        assert places.largest_safe_size * side == pytest.approx(1.0, rel=3e-5)
         for place in places:
             (a, b), (c, d) = place.parameters
             assert 0.44 < a <= b < 0.56 and 5.46 < c <= d < 5.54  # half a metre about the middle of 10 m, and of 16 m

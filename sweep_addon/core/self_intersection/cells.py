@@ -15,6 +15,7 @@ from .lattice import BANDS, stretches
 
 TOUCHING = 1e-9  # of the size: faces that come no farther through each other touch, and do not cross
 MOST = 300_000  # pairs of boxes that are followed at once; many more are a broad overlap, of which some are enough
+SPARSE = (256, 16, 1)  # every so many pairs of cells are looked at, until some cross
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))  # of a cell: which column, its own or the next, and which ring
 TRIANGLES = ((0, 1, 2), (0, 2, 3))
 
@@ -28,11 +29,21 @@ class Crossings(NamedTuple):
 
 
 def crossings(lattice, pairs):
-    """The cells that cross, of pairs of stretches, (p, 2) int array.
+    """The cells that cross, of pairs of stretches, (p, 2) int array."""
+    return crossing(lattice, *candidates(lattice, pairs))
+
+
+def any_cross(lattice, pairs):
+    """Whether any cells cross, of pairs of stretches: where many do, a few from everywhere show it."""
+    first, last = candidates(lattice, pairs)
+    return any(len(crossing(lattice, first[:, ::step], last[:, ::step]).bands) for step in SPARSE)
+
+
+def crossing(lattice, first, last):
+    """Those of pairs of cells, (2, k) bands and columns twice, that cross.
 
     Those of one band or of two neighbours are no matter of it: how they fold is told by the local test.
     """
-    first, last = candidates(lattice, pairs)
     bands = last[0] - first[0]
     apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
     first, last = first[:, apart], last[:, apart]
