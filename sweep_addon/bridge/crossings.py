@@ -55,6 +55,7 @@ def crossing(mesh):
     for shape in objects.shapes(mesh):
         made, places = shape.mesh(dtype=np.float32), shape.self_intersections()
         if places:
-            found.append(start + faces_of(made.chart, places))
+            one = hasattr(made.chart, "grid")  # of sweeps of several sections all faces are chosen
+            found.append(start + (faces_of(made.chart, places) if one else np.arange(len(made.offsets) - 1)))
         start += len(made.offsets) - 1
     return np.concatenate(found)

@@ -5,13 +5,11 @@
 A trajectory carries the radius and the tilt of the curve's points; the contour of a curve has neither.
 """
 
-from functools import partial
-
 import bpy
 import numpy as np
 
 from ..core.cells import bend
-from ..core.contours import Outline
+from ..core.contours import Fit, Mixed, Outline, all_fitted
 from ..core.parameters import require
 from ..core.sampling import Tolerance, place
 from ..core.trajectories import Bezier, Nurbs, Polyline
@@ -41,8 +39,10 @@ def trajectories(ob, depsgraph=None):
     return found
 
 
-def outline(ob, depsgraph=None, scaled=True, may_be_open=False):
-    """The outline of a curve or text object: its splines in its own xy plane.
+def contour(ob, depsgraph=None, scaled=True):
+    """The contour of a curve or text object whose splines may be of mixed dimension: an outline, or a mixed one.
+
+    Cyclic splines among others lie round areas, the others are curves, and one of a single point is a point.
 
     Parameters
     ----------
@@ -50,14 +50,30 @@ def outline(ob, depsgraph=None, scaled=True, may_be_open=False):
     depsgraph : bpy.types.Depsgraph, optional
     scaled : bool
         Whether it is scaled as the object is.
-    may_be_open : bool
-        Whether it stays open where no spline is cyclic; one that is not among others is closed by a straight line.
     """
-    stays_open = may_be_open and ob.type == "CURVE" and not any(spline.use_cyclic_u for spline in ob.data.splines)
-    loops = as_shown(ob, depsgraph, partial(spline_loops, closed=not stays_open))
-    require(loops, "must be a curve or text with an outline", ob.name)
+    if ob.type != "CURVE":
+        return outline(ob, depsgraph, scaled)
     scale = ob.scale[:2] if scaled else 1.0
-    return Outline([loop * scale for loop in loops], closed=not stays_open)
+    loops, lines, points = ([line * scale for line in found] for found in as_shown(ob, depsgraph, spline_parts))
+    require(loops or lines or points, "must be a curve or text with an outline", ob.name)
+    if points or loops and lines:
+        return Mixed(loops, lines, np.reshape(points, (-1, 2)))
+    return Outline(loops or lines, closed=bool(loops))
+
+
+def outline(ob, depsgraph=None, scaled=True):
+    """The outline of a curve or text object: its splines in its own xy plane, each closed by a straight line.
+
+    Parameters
+    ----------
+    ob : bpy.types.Object
+    depsgraph : bpy.types.Depsgraph, optional
+    scaled : bool
+        Whether it is scaled as the object is.
+    """
+    loops = as_shown(ob, depsgraph, spline_loops)
+    require(loops, "must be a curve or text with an outline", ob.name)
+    return Outline([loop * (ob.scale[:2] if scaled else 1.0) for loop in loops])
 
 
 def as_shown(ob, depsgraph, read):
@@ -72,10 +88,23 @@ def as_shown(ob, depsgraph, read):
         evaluated.to_curve_clear()
 
 
-def spline_loops(splines, closed):
+def spline_loops(splines):
     """Splines as loops of points (n, 2)."""
-    made = [spline_trajectory(spline, spline.use_cyclic_u or closed and spline.type == "POLY") for spline in splines]
+    made = [spline_trajectory(spline, spline.use_cyclic_u or spline.type == "POLY") for spline in splines]
     return [flattened(trajectory) for trajectory in made if trajectory]
+
+
+def spline_parts(splines):
+    """Splines as loops, curves and points: lists of (n, 2) and of (2,) float arrays."""
+    loops, lines, points = [], [], []
+    for spline in splines:
+        trajectory = spline_trajectory(spline, spline.use_cyclic_u)
+        if trajectory:
+            (loops if trajectory.closed else lines).append(flattened(trajectory))
+        else:
+            held = spline.bezier_points if spline.type == "BEZIER" else spline.points
+            points.append(np.array(held[0].co[:2], dtype=float))
+    return loops, lines, points
 
 
 def flattened(trajectory):
@@ -230,10 +259,10 @@ def new_poly(curve, points):
 
 
 def from_contour(contour, name):
-    """A flat Blender curve of a contour, a cyclic polyline for each loop."""
+    """A flat Blender curve of a contour, a polyline for each loop, which is cyclic, and for each open line."""
     curve = bpy.data.curves.new(name, "CURVE")
     curve.dimensions = "2D"
-    section = contour.section()
-    for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True):
-        new_poly(curve, section.points[start:end]).use_cyclic_u = section.closed
+    for section in all_fitted(contour, Fit.INSCRIBED):
+        for points in np.split(section.points, section.offsets[1:-1]):
+            new_poly(curve, points).use_cyclic_u = section.closed
     return curve

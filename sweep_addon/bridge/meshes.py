@@ -58,7 +58,7 @@ def write(mesh, made, topology="", texture=""):
         write_topology(mesh, made.topology, len(made.vertices))
         texture = ""
     elif made.topology.key != topology:
-        for _ in range(2):
+        for _ in range(2 if len(mesh.polygons) else 0):
             mesh.polygons[0].flip()  # there and back: Blender 4.5 forgets which faces it had found round each vertex
         write_joins(mesh, made.topology)
     values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()

@@ -5,6 +5,7 @@
 import bpy
 from mathutils import Matrix
 
+from ..core.contours import Mixed
 from ..core.parameters import ShapeError, at, parameters, require, spelled
 from ..core.sampling import rendered
 from ..core.shapes import SHAPES
@@ -129,7 +130,7 @@ def suited(shape, given):
         return shape.along_curve()
     if not hasattr(shape, "beside"):
         return shape()
-    return shape.beside(curves.outline(given["contour"], scaled=False, may_be_open=True))
+    return shape.beside(curves.contour(given["contour"], scaled=False))
 
 
 def title(shape):
@@ -160,7 +161,8 @@ def shapes(mesh, depsgraph=None):
     def resolve(ob, p, number=0):
         with at(p.name):
             if "FONT" in p.accepts:
-                return curves.outline(ob, depsgraph, p.name != carrier(shape), p.open)
+                read = curves.contour if Mixed in p.kinds else curves.outline
+                return read(ob, depsgraph, p.name != carrier(shape))
             if "EMPTY" in p.accepts:
                 known = paths["trajectory"][number] if along else None
                 return beside.value(ob, p, along, known, number, depsgraph)

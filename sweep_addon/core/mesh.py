@@ -74,6 +74,11 @@ class Topology:
         """(c,) int array: the corner that follows each corner in its face."""
         return following(self.offsets)
 
+    @cached_property
+    def forward(self):
+        """(c,) bool array: whether the face of each corner runs along the edge that starts there as the edge does."""
+        return self.edges[self.corner_edges, 0] == self.corners
+
     def uses(self):
         """Each pair of vertices that faces share, (k, 2), and by how many faces in either direction: two (k,)."""
         start, end = self.corners.astype(np.int64), self.corners[self.following].astype(np.int64)
@@ -270,8 +275,22 @@ class Mesh:
         >>> GeneralizedCylinder(trajectory=TorusKnot()).mesh().euler_characteristic()
         0
         """
-        pairs, _, _ = self.topology.uses()
-        return len(self.vertices) - len(pairs) + len(self.offsets) - 1
+        return len(self.vertices) - len(self.edges) + len(self.offsets) - 1
+
+    def dimensions(self):
+        """Of which dimension its parts are, and where it is no manifold: `Dimensions`, which prints as a sentence.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.contours import Outline
+        >>> from sweep_addon.core.translational_sweep import TranslationalSweep
+        >>> bend = Outline([[(0, 0), (1, 0), (2, 1)]], closed=False)
+        >>> print(TranslationalSweep(bend, direction=(1, 0, 0)).mesh().dimensions())
+        1 surface (2D), 1 curve (1D); 1 dangling edge
+        """
+        from .dimensions import dimensions  # few ask
+
+        return dimensions(self)
 
 
 def require_few(vertices, key):

@@ -121,7 +121,6 @@ class Parameter:
     most: float = inf  # rows of an array, of all together where there are several
     others: dict | None = None  # kinds, and defaults of theirs that are others here
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
-    open: bool = False  # whether a Blender curve that is not cyclic stays open as a contour
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
     group: str = ""  # the sub-panel of the sidebar it is drawn in
@@ -245,6 +244,8 @@ def coerce_array(p, value):
     except (TypeError, ValueError, OverflowError):
         array = None
     row = (p.columns,) if p.columns else ()
+    if array is not None and not array.values.size and not len(p.default):
+        array = Array(np.zeros((0, *row)))  # where nothing is what is meant by default
     fits = array is not None and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
     require(fits, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
     wrong = ~(np.abs(array.values) <= LARGEST)

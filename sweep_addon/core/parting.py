@@ -10,20 +10,50 @@ from .contours import Section
 from .contours.loops import COINCIDENT
 
 
-def on_axis(section):
-    """The section with the points that cannot be told from the axis moved onto it, so that x is 0.
+def on_axis(sections, mixed, screw):
+    """The sections with the points that cannot be told from the axis moved onto it, so that x is 0.
 
     Of those in the middle of a stretch along the axis, and of such a stretch at the end of an open line, a rotation
-    leaves nothing: they are dropped.
+    leaves nothing: they are dropped. In a mixed contour what lies on the axis is a part of its own, which stays there.
     """
-    points = section.points.copy()
-    points[np.abs(points[:, 0]) <= COINCIDENT * section.size, 0] = 0.0
-    here = points[:, 0] == 0
+    points = np.concatenate([section.points for section in sections])
+    points[np.abs(points[:, 0]) <= COINCIDENT * np.hypot(*np.ptp(points, axis=0)), 0] = 0.0
+    split = np.split(points, np.cumsum([len(section.points) for section in sections])[:-1])
+    found = []
+    for section, moved in zip(sections, split, strict=True):
+        section = replace(section, points=moved)
+        found += held(section, screw) if mixed and not section.closed else [without_stretches(section)]
+    return found
+
+
+def held(section, screw):
+    """What of open lines is off the axis, and what lies along it: as many sections. A point on a screw's axis moves."""
+    here = section.points[:, 0] == 0
+    along = here & here[section.following]
+    lines = {False: [], True: []}
+    for start, end in zip(section.offsets[:-1].tolist(), section.offsets[1:].tolist(), strict=True):
+        stays = along[start : max(end - 1, start + 1)] & (end - start > 1 or not screw)
+        cuts = [0, *(np.flatnonzero(stays[1:] != stays[:-1]) + 1).tolist(), len(stays)]
+        for first, past in zip(cuts[:-1], cuts[1:], strict=True):
+            lines[bool(stays[first])].append(np.arange(start + first, min(start + past + 1, end)))
+    return [chosen(section, runs) for runs in lines.values() if runs]
+
+
+def chosen(section, runs):
+    """The section of runs of a section's points."""
+    order = np.concatenate(runs)
+    offsets = np.cumsum([0, *map(len, runs)])
+    return Section(section.points[order], offsets, section.sharp[order], section.closed)
+
+
+def without_stretches(section):
+    """The section without the points to which and from which it runs along the axis."""
+    here = section.points[:, 0] == 0
     ahead, before = here[section.following], np.empty_like(here)
     before[section.following] = here
     if not section.closed:
         before[section.offsets[:-1]] = ahead[section.gaps] = True
-    return kept(replace(section, points=points), ~(here & ahead & before))
+    return kept(section, ~(here & ahead & before))
 
 
 def kept(section, which):
@@ -66,16 +96,14 @@ def parted(section):
     ([2.0], [[0.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.0, 1.0]])
     """
     section = with_crossings(section)
-    return tuple(part(section, side) for side, there in zip((-1, 1), sides(section), strict=True) if there)
+    parts = tuple(part(section, side) for side, there in zip((-1, 1), sides(section), strict=True) if there)
+    return parts or (section,)
 
 
 def part(section, side):
     """What is on the left (-1) or on the right (1) of the axis, of a section with a point at each crossing."""
     whole, chains = runs(section, np.sign(section.points[:, 0]) == side)
-    loops = [*whole, *(closed_up(section.points, chains) if section.closed else chains)]
-    order = np.concatenate(loops)
-    offsets = np.cumsum([0, *map(len, loops)])
-    return Section(section.points[order], offsets, section.sharp[order], section.closed)
+    return chosen(section, [*whole, *(closed_up(section.points, chains) if section.closed else chains)])
 
 
 def runs(section, there):

@@ -9,10 +9,10 @@ from math import ceil, copysign, sin, sqrt, tau
 
 import numpy as np
 
-from . import caps, parting
+from . import caps, in_plane, parting
 from .cells import WIDEST_BEND, chord_angle
 from .chart import Chart, Texture, lengths_around
-from .contours import Contour, Fit, Outline, fitted
+from .contours import Fit, Mixed, Outline, PlanarSet, all_fitted
 from .drawn import affine, drawn
 from .ends import Cap, Flat
 from .frames import Frames
@@ -21,6 +21,7 @@ from .joining import joined
 from .mesh import Mesh, require_few
 from .parameters import ShapeError, angle, declared, parameter, require
 from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
+from .welding import finished, welded
 
 ATTRIBUTES = "UVs and Attributes"
 WHOLE = 1e-6  # of a turn: an angle so close to one closes
@@ -33,6 +34,7 @@ class Crossing(Enum):
     REFUSE = "A contour on both sides of the axis is refused"
     KEEP = "It is swept as it is: the sweep passes through itself on the axis"
     SPLIT = "It is cut along the axis: each side makes a body of its own"
+    MEET = "It is cut along the axis, and the two sides meet there: in singular points and non-manifold edges"
 
 
 @declared
@@ -53,7 +55,7 @@ class RotationalSweep:
     (1.0, 0)
     """
 
-    contour: Contour = parameter(Outline([PULLEY]), "What turns", accepts=("CURVE", "FONT"), open=True)
+    contour: PlanarSet = parameter(Outline([PULLEY]), "What turns", accepts=("CURVE", "FONT"))
     angle: float = angle(tau, "How far it turns; a whole turn closes", minimum=-MOST_TURNS * tau,
                          maximum=MOST_TURNS * tau)  # fmt: skip
     pitch: float = parameter(0.0, "How far it rises along the axis in a turn", unit="length")
@@ -68,6 +70,7 @@ class RotationalSweep:
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
     fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape: inscribed, or of the true volume")
+    regularize: bool = parameter(False, "Keep only the parts that are solid, closed and manifold")
 
     def check(self):
         """Refuse no angle or more than a turn without a pitch, and an axis without a direction."""
@@ -86,7 +89,7 @@ class RotationalSweep:
         >>> RotationalSweep.beside(Circle(0.5)).axis_point
         (-0.5, 0.0)
         """
-        x = contour.section().points[:, 0]
+        x = np.concatenate([section.points[:, 0] for section in all_fitted(contour, Fit.INSCRIBED)])
         crosses = x.min() < 0 < x.max()
         return cls(contour, axis_point=(float(x.min()), 0.0)) if crosses else cls(contour)
 
@@ -126,7 +129,18 @@ class RotationalSweep:
         >>> len(half.section().points), RotationalSweep(half, samples=Count(8)).mesh().vertices.shape
         (7, (42, 3))
         """
-        return joined([self.body(section, dtype) for section in self.sections()])
+        sections, bodies = self.sections(), self.bodies(dtype)
+        mixed = isinstance(self.contour, Mixed) or self.crossing is Crossing.MEET and len(sections) > 1
+        drawn_as = (self.outward(section) for section in sections)
+        mesh = welded(bodies, [section.points * (side, 1) for section, side in drawn_as]) if mixed else joined(bodies)
+        return finished(mesh, mixed, self.regularize)
+
+    def bodies(self, dtype=np.float64):
+        """The meshes of the sections that turn, each on its own."""
+        sections = self.sections()
+        turns = self.turns(sections)
+        require_few(len(turns) * sum(len(section.points) for section in sections), "samples")
+        return [self.body(section, turns, dtype) for section in sections]
 
     def self_intersections(self):
         """Where the sweep meets itself, and up to which size it does not.
@@ -151,23 +165,23 @@ class RotationalSweep:
         return of_rotation(self)
 
     def sections(self):
-        """The sections that turn, x across the axis and y along it, which is one unless the contour is split."""
+        """The sections that turn, x across the axis and y along it: one unless the contour is mixed or is split."""
         across = (self.axis_point, self.axis_direction)
         sections = about_axis(self.contour, self.fit, *across, self.crossing, bool(self.pitch))
         for section in sections:
-            along = section.closed and self.pitch and len(between_poles(section))
+            solid = section.closed or isinstance(self.contour, Mixed)  # an open outline may run along the axis
+            along = solid and self.pitch and len(between_poles(section))
             require(not along, "must be 0 for a contour with an edge along the axis", self.pitch, "pitch")
         return sections
 
-    def body(self, section, dtype):
-        """The mesh of one section."""
-        turns, told = self.turns(section), ()
-        require_few(len(turns) * len(section.points), "samples")
+    def body(self, section, turns, dtype):
+        """The mesh of one section that turns so far."""
+        (section, side), rings, told = self.outward(section), self.rings(turns), ()
+        if not (self.pitch or section.points[:, 0].any()):
+            return in_plane.flat(section, rings[:, 0], self.texture, self.attributes, dtype)
         if all(parting.sides(section)):
             told = ("Contour: it crosses the axis, and the sweep passes through itself there.",)
-        rings = self.rings(turns)
-        if (section.centroid[0] > 0) == (self.angle > 0):  # towards the back of the contour's plane
-            section, rings[1] = section.mirrored, -rings[1]
+        rings[1] *= side
         poles = () if self.pitch else np.flatnonzero(section.points[:, 0] == 0).tolist()
         grid = Grid(
             rings=len(turns),
@@ -181,7 +195,8 @@ class RotationalSweep:
             poles=tuple(poles),
         )
         middles = (section.points + section.points[section.following])[:, 0] / 2
-        radius = section.edge_lengths @ np.abs(middles) / section.edge_lengths.sum()
+        weights = section.edge_lengths if section.edge_lengths.any() else np.ones(len(middles))  # of single points
+        radius = weights @ np.abs(middles) / weights.sum()
         way = sqrt(radius**2 + (self.pitch / tau) ** 2)  # in a radian, of the contour's mean
         around = lengths_around(section, np.ones(2))
         flat = (section.points, section.points)
@@ -189,7 +204,12 @@ class RotationalSweep:
         chart = Chart(grid, turns, s, total, around, flat, self.texture, self.attributes)
         return Mesh(drawn(grid, affine(section.points), rings, dtype), grid.topology(), chart, told)
 
-    def turns(self, section):
+    def outward(self, section):
+        """The section as it is drawn, and 1, or -1 where it is mirrored as it turns to the back of its plane."""
+        back = (section.centroid[0] > 0) == (self.angle > 0)
+        return (section.mirrored, -1) if back else (section, 1)
+
+    def turns(self, sections):
         """The angles at which contours stand: (n,) float array; a whole turn is not among them where it closes."""
         size = abs(self.turn)
         if isinstance(self.samples, Count):
@@ -198,7 +218,7 @@ class RotationalSweep:
             sentence = f"must be at least {least + (not self.closed)} for this angle"
             require(steps >= least, sentence, self.samples.contours, "samples.contours")
         else:
-            radius = float(np.abs(section.points[:, 0]).max())
+            radius = max(float(np.abs(section.points[:, 0]).max()) for section in sections)
             wanted = size / min(chord_angle(self.samples.chord, radius), WIDEST_BEND)
             most = f"must be larger: this turn takes {wanted:,.0f} contours of {MOST_STATIONS:,} at most"
             require(wanted <= MOST_STATIONS, most, self.samples.chord, "samples.chord")
@@ -236,7 +256,7 @@ class RotationalSweep:
         """
         require(most >= 2, "must be at least 2", most, "most")
         sections = self.sections()
-        turns = self.turns(sections[0])
+        turns = self.turns(sections)
         turns = turns[np.unique(np.linspace(0, len(turns) - 1, min(most, len(turns))).round().astype(int))]
         rings = replace(self, fit=Fit.INSCRIBED).rings(turns)
         contours = (np.einsum("mk,kni->nmi", affine(each.points), rings) for each in sections)
@@ -267,17 +287,22 @@ def about_axis(contour, fit, point, direction, crossing, screw):
     ShapeError
         Where the contour is on both sides of the axis and that is refused, or where nothing of it is off the axis.
     """
-    section = fitted(contour, fit)
     x, y = np.array(direction) / np.hypot(*direction)
-    turned = (section.points - point) @ np.array([[y, x], [-x, y]])
-    section = parting.on_axis(replace(section, points=turned))
-    left, right = parting.sides(section)
-    if not (left or right):
+    sections = [turned(section, np.array(point), x, y) for section in all_fitted(contour, fit)]
+    sections = parting.on_axis(sections, isinstance(contour, Mixed), screw)
+    across = np.concatenate([section.points[:, 0] for section in sections])
+    if not across.any():
         raise ShapeError("must not lie on the axis, got only points on it", "contour")
-    if not (left and right) or crossing is Crossing.KEEP:
-        return (section if screw else parting.with_crossings(section),)
+    low, high = float(across.min()), float(across.max())
+    if low >= 0 or high <= 0 or crossing is Crossing.KEEP:
+        return tuple(sections if screw else map(parting.with_crossings, sections))
     if crossing is Crossing.REFUSE:
-        low, high = section.points[:, 0].min(), section.points[:, 0].max()
-        one_side = "must be on one side of the axis, or crossing be keep or split"
+        one_side = "must be on one side of the axis, or crossing be keep, split or meet"
         raise ShapeError(f"{one_side}, got one from {low:.6g} to {high:.6g} m across it", "contour")
-    return parting.parted(section)
+    return tuple(part for section in sections for part in parting.parted(section))
+
+
+def turned(section, origin, x, y):
+    """A section as an axis through a point sees it that runs along (x, y); equal points stay equal, to the bit."""
+    right, up = (section.points - origin).T
+    return replace(section, points=np.stack((right * y - up * x, right * x + up * y), axis=1))

@@ -9,9 +9,9 @@ from math import atan, degrees, radians, tan
 
 import numpy as np
 
-from . import caps
+from . import caps, in_plane
 from .chart import Chart, Texture, lengths_around
-from .contours import Contour, Fit, Rectangle, fitted
+from .contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
 from .draft import ALIKE, drafted, mitres, reachable
 from .drawn import affine, drawn
 from .ends import Cap, Flat
@@ -19,10 +19,12 @@ from .frames import Frames
 from .grid import Grid
 from .mesh import Mesh, require_few
 from .parameters import Array, ShapeError, angle, count, declared, length, parameter, require
+from .welding import finished, welded
 from .wording import shown
 
 ATTRIBUTES = "UVs and Attributes"
 STEEPEST = radians(89)
+PLANE = np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))  # its origin and its axes
 FLATTEST = 1e-6  # of a direction's length, out of the contour's plane
 
 
@@ -59,11 +61,13 @@ class TranslationalSweep:
     (4.0, 5)
     """
 
-    contour: Contour = parameter(Rectangle(1.0, 1.0), "What moves", accepts=("CURVE", "FONT"), open=True)
-    height: float = length(1.0, "How far it moves, measured out of its plane", soft_maximum=100.0)
+    contour: PlanarSet = parameter(Rectangle(1.0, 1.0), "What moves", accepts=("CURVE", "FONT"))
+    height: float = length(1.0, "How far it moves, measured out of its plane, or within it", soft_maximum=100.0)
     directions: Directions = parameter(Directions.UP, "Which way it moves from its plane")
     depth: float = length(0.5, "How far it moves down, where it moves in both directions", soft_maximum=100.0)
-    direction: tuple[float, float, float] = parameter((0.0, 0.0, 1.0), "Where to: straight up, or obliquely")
+    direction: tuple[float, float, float] = parameter(
+        (0.0, 0.0, 1.0), "Where to: straight up, obliquely, or within the plane"
+    )
     steps: int = count(1, "Parts of equal height", maximum=100_000, soft_maximum=100)
     taper: float = angle(0.0, "Angle at which the sides lean inwards", minimum=-STEEPEST, maximum=STEEPEST,
                          group="Draft")  # fmt: skip
@@ -80,12 +84,17 @@ class TranslationalSweep:
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
     fit: Fit = parameter(Fit.INSCRIBED, "How the contour's polygon stands to its curves")
+    regularize: bool = parameter(False, "Keep only the parts that are solid, closed and manifold")
 
     def check(self):
-        """Refuse a direction along the contour's plane or down."""
+        """Refuse a direction down or nearly along the contour's plane, and drafts and steps within the plane."""
         size = float(np.linalg.norm(self.direction))
-        up = self.direction[2] > FLATTEST * size
-        require(up, "must point up, out of the contour's plane", list(self.direction), "direction")
+        up = self.direction[2] > FLATTEST * size or self.within_plane
+        require(up, "must point up, out of the contour's plane, or lie within it", list(self.direction), "direction")
+        if self.within_plane:
+            require(self.steps == 1, "must be 1 where the direction lies in the plane", self.steps, "steps")
+            steepest = max(self.taper, self.hole_taper, *self.tapers.values.tolist(), key=abs)
+            require(not steepest, "must be 0 where the direction lies in the plane", steepest, "taper")
         tapers = self.tapers.values
         wrong = tapers[np.abs(tapers) > STEEPEST]
         require(not len(wrong), f"must be at most {STEEPEST:.4g} in size", float((*wrong, 0.0)[0]), "tapers")
@@ -112,7 +121,18 @@ class TranslationalSweep:
         >>> TranslationalSweep(height=2.0, steps=3).mesh().vertices.shape
         (16, 3)
         """
-        section, heights = self.section(), self.heights()
+        sections, mixed = self.sections(), self.within_plane or isinstance(self.contour, Mixed)
+        if self.within_plane:
+            sections = in_plane.swept(sections, *(self.heights()[:, None] * self.way[:2]))
+        bodies = [self.body(section, dtype) for section in sections if section]
+        mesh = welded(bodies, [section.points for section in sections if section]) if mixed else bodies[0]
+        return finished(mesh, mixed, self.regularize)
+
+    def body(self, section, dtype):
+        """The mesh of one section."""
+        if self.within_plane:
+            return in_plane.flat(section, PLANE, self.texture, self.attributes, dtype)
+        heights = self.heights()
         require_few(len(heights) * len(section.points), "steps")
         moves, points = self.drafts(section, heights)
         s = (heights - heights[0]) / self.upright
@@ -134,6 +154,8 @@ class TranslationalSweep:
     def self_intersections(self):
         """Where the sweep meets itself: nowhere, for its plane moves one way, and a taper ends before edges meet.
 
+        Within its plane a sweep covers each place once, however often the contour comes by.
+
         Returns
         -------
         Places
@@ -148,8 +170,8 @@ class TranslationalSweep:
 
         return Places(())
 
-    def section(self):
-        """The section of the contour as its reference point is at the origin."""
+    def sections(self):
+        """The sections of the contour as its reference point is at the origin: one, unless it is mixed."""
         return referred(self.contour, self.fit, self.reference, (self.reference_x, self.reference_y))
 
     def heights(self):
@@ -160,13 +182,27 @@ class TranslationalSweep:
             Directions.BOTH: (-self.depth, self.height),
         }[self.directions]
         heights = np.linspace(low, high, self.steps + 1)
-        drafted = self.taper or self.hole_taper or self.tapers.values.any()
-        return np.union1d(heights, 0.0) if drafted and low < 0 else heights
+        return np.union1d(heights, 0.0) if self.is_drafted and low < 0 else heights
+
+    @property
+    def is_drafted(self):
+        """Whether sides lean."""
+        return bool(self.taper or self.hole_taper or self.tapers.values.any())
+
+    @property
+    def within_plane(self):
+        """Whether it moves within the contour's plane."""
+        return self.direction[2] == 0 and any(self.direction)
 
     @property
     def upright(self):
-        """The part of its way by which the contour leaves its plane: the cosine of how oblique it is."""
-        return self.direction[2] / float(np.linalg.norm(self.direction))
+        """The part of its way that its height measures: the cosine of how oblique it is; within the plane all of it."""
+        return 1.0 if self.within_plane else self.direction[2] / float(np.linalg.norm(self.direction))
+
+    @property
+    def way(self):
+        """(3,) float array: how far it moves in a metre of height."""
+        return np.array(self.direction) / (float(np.linalg.norm(self.direction)) * self.upright)
 
     def slopes(self, section):
         """The tangent of the taper of each loop: (k,) float array."""
@@ -202,7 +238,7 @@ class TranslationalSweep:
     def laid(self, section, moves, heights):
         """The weights of the section's points, (m, k), and the rings that they are of, (k, n, 3)."""
         axes = np.zeros((3, len(heights), 3))
-        axes[0] = heights[:, None] * (np.array(self.direction) / self.direction[2])
+        axes[0] = heights[:, None] * self.way
         axes[1, :, 0] = axes[2, :, 1] = 1.0
         weights = affine(section.points)
         if not moves.any():
@@ -228,20 +264,22 @@ class TranslationalSweep:
         ([[0.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [0.0, 0.0, 1.0], (2, 4, 3))
         """
         require(most >= 2, "must be at least 2", most, "most")
-        section, heights = self.section(), self.heights()
+        sections, heights, loops = self.sections(), self.heights(), []
         heights = heights[np.unique(np.linspace(0, len(heights) - 1, min(most, len(heights))).round().astype(int))]
-        moves, _ = self.drafts(section, heights)
-        weights, rings = self.laid(section, moves, heights)
-        loops = tuple(np.split(np.einsum("mk,kni->nmi", weights, rings), section.offsets[1:-1], axis=1))
+        for section in sections:
+            moves, _ = self.drafts(section, heights)
+            weights, rings = self.laid(section, moves, heights)
+            loops += np.split(np.einsum("mk,kni->nmi", weights, rings), section.offsets[1:-1], axis=1)
         s = (heights - heights[0]) / self.upright
         ways = np.tile(self.direction / np.linalg.norm(self.direction), (len(heights), 1))
-        return Frames(s / s[-1], s, rings[0], ways, rings[1], rings[2], loops)
+        return Frames(s / s[-1], s, rings[0], ways, rings[1], rings[2], tuple(loops))
 
 
 @lru_cache(maxsize=16)
 def referred(contour, fit, reference, point):
-    """The section of a contour with a point of its plane at the origin, made once for equal ones."""
-    section = fitted(contour, fit)
+    """The sections of a contour with a point of its plane at the origin, made once for equal ones."""
+    sections = all_fitted(contour, fit)
     if reference is Reference.ORIGIN:
-        return section
-    return replace(section, points=section.points - (section.centroid if reference is Reference.CENTROID else point))
+        return sections
+    origin = sections[0].centroid if reference is Reference.CENTROID else point
+    return tuple(replace(section, points=section.points - origin) for section in sections)

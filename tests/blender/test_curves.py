@@ -9,10 +9,11 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from scenes import add, curve, places, text
 
-from sweep_addon import trajectories
+from sweep_addon import contours, trajectories
 from sweep_addon.bridge import curves
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.trajectories.arc_length import arc_length
+from sweep_addon.core.translational_sweep import TranslationalSweep
 
 SINGLE = 2e-6  # a few units of the last place of single precision, in curves of the size of 1 to 4
 
@@ -225,3 +226,39 @@ def test_curve_of_a_trajectory_is_that_trajectory(scene):
         assert ours == pytest.approx(theirs, abs=1e-3 * made.length())
         ours, theirs = (path.carried(arc_length(path).parameter([0, path.length() / 3])) for path in (made, again))
         assert np.array(ours) == pytest.approx(np.array(theirs), abs=1e-2)
+
+
+MIXED = [[(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(1, 0.5, 0), (2, 0.5, 0)], [(3, 0, 0)]]
+
+
+def mixed():
+    """A curve object of a cyclic spline, of one that is not, and of one with a single point."""
+    ob = curve("POLY", *MIXED)
+    ob.data.splines[0].use_cyclic_u = True
+    return ob
+
+
+def test_splines_of_several_kinds_are_areas_curves_and_points(scene):
+    read = curves.contour(mixed())
+    assert read == contours.Mixed(*(np.array(part)[..., :2] for part in (MIXED[:1], MIXED[1:2], MIXED[2])))
+    assert TranslationalSweep(read).mesh().dimensions().parts == (1, 1, 1, 0)
+
+
+def test_splines_of_one_kind_are_an_outline(scene):
+    assert curves.contour(curve("POLY", MIXED[0], use_cyclic_u=True)) == contours.Outline([np.array(MIXED[0])[:, :2]])
+    lines = MIXED[0], [(1.5, 0.5, 0), (2, 0.5, 0)]
+    both = [np.array(spline)[:, :2] for spline in lines]
+    assert curves.contour(curve("POLY", *lines)) == contours.Outline(both, closed=False)
+
+
+@pytest.mark.parametrize("kind", ["BEZIER", "NURBS"])
+def test_spline_of_one_point_is_a_point_whatever_its_kind(scene, kind):
+    point = [(3, 4, 0) * 3] if kind == "BEZIER" else [(3, 4, 0)]
+    assert curves.contour(curve(kind, point)) == contours.Mixed([], [], [(3, 4)])
+
+
+def test_curve_of_a_mixed_contour_is_that_contour(scene):
+    contour = curves.contour(mixed())
+    again = curves.contour(add("again", curves.from_contour(contour, "again")))
+    for section, other in zip(again.sections(), contour.sections(), strict=True):
+        assert np.abs(section.points - other.points).max() < SINGLE and (section.offsets == other.offsets).all()

@@ -10,6 +10,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text
 
 import sweep_addon as sw
+from sweep_addon.bridge import objects
+from sweep_addon.core.translational_sweep import TranslationalSweep
 
 
 def update():
@@ -247,3 +249,22 @@ def test_no_object_chosen_yet_is_said(scene):
     before = places(ob.data)
     parameters_of(ob).trajectory = "OBJECT"
     assert kept(ob, before, "trajectory: must be an object of the scene; none is chosen")
+
+
+def test_curve_with_an_open_spline_beside_a_cyclic_one_is_swept_with_its_dangling_edge(scene):
+    contour = curve("POLY", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(1, 0, 0), (2, 0, 0)])
+    contour.data.splines[0].use_cyclic_u = True
+    ob = add("sweep", objects.new_mesh(TranslationalSweep(), "sweep", contour=contour))
+    update()
+    assert ob.data.sweep.told == "Parts: 1 solid (3D), 1 surface (2D); 1 non-manifold edge."
+    contour.data.splines[1].use_cyclic_u = True  # of two points: it stays a line
+    contour.data.splines[0].points[2].co = (2, 2, 0, 1)
+    update()
+    assert extent(ob) == pytest.approx((2, 2, 1))
+    ob.data.sweep.translational_sweep.regularize = True
+    assert ob.data.sweep.told == "" and extent(ob) == pytest.approx((2, 2, 1))
+    ob.data.sweep.translational_sweep.contour = "MIXED"
+    ob.data.sweep.translational_sweep.direction = (1, 0, 0)
+    assert "regularize: must be off where no part is solid, got '1 surface (2D)" in ob.data.sweep.error
+    ob.data.sweep.translational_sweep.regularize = False
+    assert ob.data.sweep.told == "Parts: 1 surface (2D), 1 curve (1D); 1 dangling edge." and not ob.data.sweep.error

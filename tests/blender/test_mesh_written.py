@@ -13,6 +13,7 @@ import bmesh
 from scenes import places
 
 import sweep_addon as sw
+from sweep_addon import presets
 from sweep_addon.bridge import meshes
 from sweep_addon.core.joining import joined
 
@@ -44,6 +45,12 @@ SHAPES = {
     "ball": sw.RotationalSweep(HALF),
     "wedge": sw.RotationalSweep(HALF, 2.0),
     "apple and lemon": sw.RotationalSweep(sw.contours.Circle(0.5), axis_point=(0.3, 0), crossing="split"),
+}
+
+
+MIXED = {
+    "points": sw.TranslationalSweep(sw.contours.Mixed([], [], [(0, 0), (1, 0)])),
+    **{p.title: presets.shape(p.name) for p in presets.PRESETS if p.group == "mixed_dimension"},
 }
 
 
@@ -101,6 +108,21 @@ def test_blender_finds_nothing_to_repair(name):
     assert not any(e.is_loose for e in mesh.edges)
 
 
+@pytest.mark.parametrize("name", MIXED)
+def test_mesh_of_mixed_dimension_holds_its_loose_edges_and_points(scene, name):
+    """Blender finds as many loose edges as the report has in curves, and loose vertices as it has points."""
+    mesh, made = mesh_of(MIXED[name]), MIXED[name].mesh(dtype=np.float32)
+    same_as_arrays(mesh, made)
+    assert not mesh.validate(verbose=True) and mesh.sweep.told == f"Parts: {made.dimensions()}."
+    kept = np.isin(np.arange(len(mesh.edges)), made.topology.corner_edges)
+    assert [e.is_loose for e in mesh.edges] == (~kept).tolist()
+    seen = bmesh.new()
+    seen.from_mesh(mesh)
+    assert sum(not v.link_edges for v in seen.verts) == made.dimensions().points
+    assert sum(len(e.link_faces) > 2 for e in seen.edges) == len(made.dimensions().non_manifold_edges)
+    seen.free()
+
+
 def test_edges_are_those_that_blender_finds(name):
     """`update(calc_edges=True)` is what the analytic edges save."""
     mesh = mesh_of(SHAPES[name])
@@ -124,8 +146,9 @@ def test_faces_look_outwards_and_enclose_the_volume_of_the_shape(scene, name):
 def test_one_mesh_becomes_each_of_the_others_and_itself_again(scene):
     mesh = bpy.data.meshes.new("many")
     known = "", ""
-    for each in [*SHAPES, *reversed(SHAPES)]:
-        made = SHAPES[each].mesh(dtype=np.float32)
+    shapes = SHAPES | MIXED
+    for each in [*shapes, *reversed(shapes)]:
+        made = shapes[each].mesh(dtype=np.float32)
         *known, _ = meshes.write(mesh, made, *known)
         same_as_arrays(mesh, made)
         assert not mesh.validate()

@@ -59,7 +59,7 @@ def test_added_shape_joins_the_mesh_that_is_edited(scene):
     assert cube.data.sweep.kind == "NONE"
 
 
-@pytest.mark.parametrize("name", [preset.name for preset in presets.PRESETS])
+@pytest.mark.parametrize("name", [p.name for p in presets.PRESETS if p.group != "mixed_dimension"])
 def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
     assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
     ob = bpy.context.active_object
@@ -68,6 +68,12 @@ def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
     bpy.ops.mesh.sweep_preset_add(preset=name.upper(), follow=False, location=(1, 2, 3), rotation=(1, 0, 0))
     assert tuple(bpy.context.active_object.location) == (1, 2, 3)
     assert enclosed(bpy.context.active_object.data) == pytest.approx(volume)
+
+
+@pytest.mark.parametrize("name", [p.name for p in presets.PRESETS if p.group == "mixed_dimension"])
+def test_preset_of_mixed_dimension_says_of_what_it_is(scene, name):
+    assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
+    assert bpy.context.active_object.data.sweep.told.startswith("Parts: ")
 
 
 def test_straight_preset_follows_the_active_curve_if_that_is_selected_and_asked_for(scene):

@@ -123,7 +123,7 @@ def test_spindle_solid_has_its_volume():
     assert apple == pytest.approx(1.53774, abs=1e-5)
     lemon = apple - tau * pi * r**2 * big_r
     both = RotationalSweep(**SPINDLE, crossing="split")
-    small, large = (both.body(section, np.float64) for section in both.sections())
+    small, large = both.bodies()
     assert large.volume() == pytest.approx(apple, rel=2e-6) and small.volume() == pytest.approx(lemon, rel=2e-5)
     assert_solid(large, 2)
     assert_solid(small, 2)
@@ -273,7 +273,7 @@ def test_a_thousand_random_contours_across_the_axis():
         angle = random.choice([tau, random.uniform(0.5, 6)])
         given = dict(contour=Outline([points]), angle=angle, samples=Count(12))
         split, kept = RotationalSweep(**given, crossing="split"), RotationalSweep(**given, crossing="keep")
-        left, right = (split.body(section, np.float64) for section in split.sections())
+        left, right = split.bodies()
         for body, section in zip((left, right), split.sections(), strict=True):
             pieces = len(section.areas)
             poles = int((section.points[:, 0] == 0).sum())
@@ -296,7 +296,7 @@ def test_a_thousand_random_contours_across_the_axis():
         "contour: must not lie on the axis, got only points on it": dict(
             contour=Outline([[(0, 0), (0, 1)]], closed=False)
         ),
-        "crossing: must be one of refuse, keep, split, got 'cut'": dict(crossing="cut"),
+        "crossing: must be one of refuse, keep, split, meet, got 'cut'": dict(crossing="cut"),
         "samples.contours: must be at least 3 for this angle, got 2": dict(samples=Count(2)),
         "samples.contours: must be at least 16 for this angle, got 12": dict(samples=Count(12), angle=5 * tau, pitch=1),
         "samples: must make at most 20,000,000 vertices, got 20500000": dict(
@@ -315,6 +315,6 @@ def test_what_will_not_do_is_refused_in_one_sentence(sentence, given):
 def test_rectangle_across_the_axis_is_told_how_far_it_reaches():
     with pytest.raises(
         ShapeError,
-        match=r"^contour: must be on one side of the axis, or crossing be keep or split, got one from -1\.5 to 0\.5 m",
+        match=r"^contour: must be on one side of the axis, or crossing be .* or meet, got one from -1\.5 to 0\.5 m",
     ):
         RotationalSweep(Rectangle(2, 1), axis_point=(0.5, 0)).mesh()

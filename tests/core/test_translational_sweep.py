@@ -207,8 +207,17 @@ def test_a_thousand_random_prisms_are_solids():
         "height: must be a number of metres, got '1 m'": dict(height="1 m"),
         "depth: must be more than 0, got -1": dict(depth=-1),
         "directions: must be one of up, symmetric, both, got 'down'": dict(directions="down"),
-        "direction: must point up, out of the contour's plane, got [1.0, 0.0, 0.0]": dict(direction=(1, 0, 0)),
-        "direction: must point up, out of the contour's plane, got [0.0, 0.0, -1.0]": dict(direction=(0, 0, -1)),
+        "direction: must point up, out of the contour's plane, or lie within it, got [1.0, 0.0, 1e-07]": dict(
+            direction=(1, 0, 1e-7)
+        ),
+        "direction: must point up, out of the contour's plane, or lie within it, got [0.0, 0.0, -1.0]": dict(
+            direction=(0, 0, -1)
+        ),
+        "direction: must point up, out of the contour's plane, or lie within it, got [0.0, 0.0, 0.0]": dict(
+            direction=(0, 0, 0)
+        ),
+        "steps: must be 1 where the direction lies in the plane, got 2": dict(direction=(1, 0, 0), steps=2),
+        "taper: must be 0 where the direction lies in the plane, got -0.1": dict(direction=(1, 0, 0), hole_taper=-0.1),
         "direction: must be a list of 3, got [1, 2]": dict(direction=[1, 2]),
         "steps: must be at least 1, got 0": dict(steps=0),
         "steps: must make at most 20,000,000 vertices, got 25600256": dict(steps=100_000, contour=Circle(1, 256)),

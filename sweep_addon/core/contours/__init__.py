@@ -15,7 +15,8 @@ from importlib import import_module
 from .aerofoil import Aerofoil
 from .circle import Circle
 from .ellipse import Ellipse
-from .fit import Fit, fitted
+from .fit import Fit, all_fitted, fitted
+from .mixed import Mixed
 from .outline import Outline
 from .rectangle import Rectangle
 from .regular_polygon import RegularPolygon
@@ -25,6 +26,7 @@ from .star import Star
 from .superellipse import Superellipse
 
 Contour = Circle | Ellipse | Rectangle | RegularPolygon | Star | Superellipse | Aerofoil | ScrewThread | Outline
+PlanarSet = Contour | Mixed  # what may also be of mixed dimension
 
 __all__ = [
     "Aerofoil",
@@ -32,6 +34,7 @@ __all__ = [
     "Contour",
     "Ellipse",
     "Fit",
+    "Mixed",
     "Outline",
     "Rectangle",
     "RegularPolygon",
@@ -39,6 +42,7 @@ __all__ = [
     "Section",
     "Star",
     "Superellipse",
+    "all_fitted",
     "fitted",
     "from_svg",
     "from_text",

@@ -68,6 +68,32 @@ def filled(loops, figure, even_odd):
 
 def boundary(start, end, figure, even_odd):
     """The pieces with the filled area on one side only, directed to have it on their left."""
+    low, high, _, left, right = sided(start, end, np.ones(len(start), dtype=int), figure, even_odd)
+    forth, back = left & ~right, right & ~left
+    return np.concatenate([low[forth], high[back]]), np.concatenate([high[forth], low[back]])
+
+
+def sided(start, end, turns, figure, even_odd):
+    """The different pieces, and on which of their sides the area is filled.
+
+    Parameters
+    ----------
+    start, end : (n, 2) float arrays of grid points
+        Pieces of loops and others that share nothing but ends; those that are a point are places to ask about.
+    turns : (n,) int array
+        How often the loops of a figure run along each piece; 0 for pieces of no loop.
+    figure : (n,) int array
+    even_odd : (f,) bool array
+
+    Returns
+    -------
+    low, high : (p, 2) float arrays
+        The ends of the different pieces, whichever way they run.
+    piece : (n,) int array
+        The number of each given piece among these.
+    left, right : (p,) bool arrays
+        Whether the area on either side is filled, seen from low to high.
+    """
     backward = (end[:, 1] < start[:, 1]) | ((end[:, 1] == start[:, 1]) & (end[:, 0] < start[:, 0]))
     ends = np.where(backward[:, None], np.hstack([end, start]), np.hstack([start, end]))
     order = np.lexsort(ends.T)
@@ -77,13 +103,12 @@ def boundary(start, end, figure, even_odd):
     low, high = ends[order][new][:, :2], ends[order][new][:, 2:]
 
     require(len(low) * len(even_odd) <= MOST_WINDINGS, "must have fewer paths and points", len(low) * len(even_odd))
-    own = sums(piece, figure, np.where(backward, -1, 1), (len(low), len(even_odd)))
+    own = sums(piece, figure, np.where(backward, -turns, turns), (len(low), len(even_odd)))
     above = windings(low, high, own)
     level = (low[:, 1] == high[:, 1])[:, None]
     left, right = np.where(level, above, above + own), np.where(level, above - own, above)
     left, right = (np.where(even_odd, turns % 2, turns).any(axis=1) for turns in (left, right))
-    forth, back = left & ~right, right & ~left
-    return np.concatenate([low[forth], high[back]]), np.concatenate([high[forth], low[back]])
+    return low, high, piece, left, right
 
 
 def windings(low, high, own):
@@ -118,10 +143,17 @@ def sums(row, column, value, shape):
 
 
 def traced(start, end):
-    """Follow directed pieces, which have the filled area on their left, to loops that do not meet.
+    """Follow directed pieces, which have the filled area on their left, to loops that do not meet."""
+    follower, crowded = followers(start, end)
+    begin = np.where(crowded[:, None], drawn_back(start, end, follower), start)
+    return [begin[loop] for loop in orbits(follower)]
+
+
+def followers(start, end):
+    """The piece that follows each, (n,) ints, and whether several loops pass where each starts, (n,) bools.
 
     Around a point that several loops pass, pieces that leave and that arrive alternate. An arriving piece is followed
-    by the next leaving one clockwise: then a loop has one filled angle there, and is drawn back into it.
+    by the next leaving one clockwise: then a loop has one filled angle there, and can be drawn back into it.
     """
     count = len(start)
     way = np.concatenate([end - start, start - end])
@@ -138,8 +170,7 @@ def traced(start, end):
 
     crowded = np.empty(2 * count, dtype=bool)
     crowded[order] = size[group] > 2
-    begin = np.where(crowded[:count, None], drawn_back(start, end, follower), start)
-    return [begin[loop] for loop in orbits(follower)]
+    return follower, crowded[:count]
 
 
 def drawn_back(start, end, follower):

@@ -70,6 +70,14 @@ def fitted(contour, fit):
     return section
 
 
+def all_fitted(contour, fit):
+    """The sections of a contour, fitted: one, or those of the areas and of the lines of a mixed one."""
+    if not hasattr(contour, "sections"):
+        return (fitted(contour, fit),)
+    require(fit is Fit.INSCRIBED, "must be inscribed for a mixed contour, which has no curves", spelled(fit), "fit")
+    return contour.sections()
+
+
 def moved(section, vectors):
     return replace(section, points=section.points + vectors)
 

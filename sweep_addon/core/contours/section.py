@@ -145,6 +145,8 @@ class Section:
     @cached_property
     def middle(self):
         """(2,) float array: the centroid of the lines themselves, in metres."""
+        if not self.edge_lengths.any():
+            return self.points.mean(axis=0)  # single points
         return self.edge_lengths @ (self.points + self.points[self.following]) / (2 * self.edge_lengths.sum())
 
     @cached_property

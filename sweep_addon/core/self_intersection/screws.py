@@ -19,9 +19,10 @@ def of_rotation(shape):
     across = [both_sides(shape.turn, axis) for section in sections if all(sides(section))]
     if not shape.pitch:
         return Places(across, lambda: 0.0 if across else np.inf)
-    lattices = [lattice_of(shape, section) for section in sections]
+    turns = shape.turns(sections)
+    lattices = [lattice_of(shape, section, turns) for section in sections if section.edge_lengths.any()]
     places = [*across, *(place for lattice in lattices for place in meetings(lattice, ()))]
-    return Places(places, lambda: min(largest(lattice, np.inf, not places) for lattice in lattices))
+    return Places(places, lambda: min((largest(lattice, np.inf, not places) for lattice in lattices), default=np.inf))
 
 
 def both_sides(turn, point):
@@ -31,10 +32,9 @@ def both_sides(turn, point):
     return Place("local", ((0.0, float(turn)),), tuple(point.tolist()), said)
 
 
-def lattice_of(shape, section):
+def lattice_of(shape, section, turns):
     """The lattice of a section that turns and rises: its contours lean against their way."""
-    mesh = shape.body(section, np.float64)
-    turns = mesh.chart.u
+    mesh = shape.body(section, turns, np.float64)
     place, radial, along = shape.rings(turns)
     x, y = section.centroid
     path = place + x * radial + y * along
