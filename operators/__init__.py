@@ -5,6 +5,7 @@
 from bpy.utils import register_classes_factory
 
 from . import (
+    add_item,
     add_preset,
     add_shape,
     apply,
@@ -13,6 +14,7 @@ from . import (
     copy_as,
     edit_as_curve,
     find_self_intersections,
+    remove_item,
     sweep_selected,
 )
 
@@ -26,6 +28,8 @@ register, unregister = register_classes_factory(
         bend.OBJECT_OT_sweep_bend,
         copy_as.OBJECT_OT_sweep_copy,
         edit_as_curve.OBJECT_OT_sweep_edit_as_curve,
+        add_item.OBJECT_OT_sweep_item_add,
+        remove_item.OBJECT_OT_sweep_item_remove,
         find_self_intersections.OBJECT_OT_sweep_find_self_intersections,
         find_self_intersections.OBJECT_OT_sweep_select_self_intersections,
     )

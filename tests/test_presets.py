@@ -155,6 +155,15 @@ def test_steel_arch_is_an_ipe_200_that_stands_on_the_ground():
     assert (np.abs(mesh.vertices[:, 2]) < 1e-12).sum() == 2 * len(section.points)
 
 
+def test_duct_has_the_openings_of_en_1505_and_en_1506_and_one_sheet():
+    """400 x 400 mm to a diameter of 315 mm inside; the sheet is as thick everywhere that its normal is across."""
+    swept = presets.shape("duct").swept()
+    square, disc = swept.body.ends
+    assert 1e6 * np.abs(square.areas[1]) == pytest.approx(400**2)
+    assert 1e6 * np.abs(disc.areas[1]) == pytest.approx(pi * 157.5**2, rel=3e-3)
+    assert 1000 * np.ptp(square.points) - 400 == pytest.approx(1.8)
+
+
 def test_a_preset_that_is_none_is_refused_with_the_nearest():
     with pytest.raises(ShapeError, match="^preset: must be one of cable, .*, got 'hoose': did you mean 'hose'\\?$"):
         presets.shape("hoose")

@@ -63,6 +63,9 @@ def resolve(declared, table, folder):
     """
     files = []
     for p in declared:
+        if p.item:
+            table = {**table, **items_resolved(p, table.get(p.name), folder, files)}
+            continue
         reference = reference_of(p, table.get(p.name))
         if reference:
             with at(p.name):
@@ -70,6 +73,20 @@ def resolve(declared, table, folder):
             table = {**table, p.name: value}
             files.append(path)
     return table, tuple(files)
+
+
+def items_resolved(p, items, folder, files):
+    """A list of tables with the references in each replaced; what is no such list is refused later."""
+    if not isinstance(items, list):
+        return {}
+    made = []
+    for number, item in enumerate(items, 1):
+        if isinstance(item, dict):
+            with at(f"{p.name}.{number}"):
+                item, read_files = resolve(parameters(p.item), item, folder)
+            files.extend(read_files)
+        made.append(item)
+    return {p.name: made}
 
 
 def reference_of(p, value):
@@ -164,6 +181,8 @@ def lengthened(trajectory, factor):
 def with_references(form, declared):
     """The schema of a shape's table, whose contours and trajectories may also be references."""
     for p in declared:
+        if p.item:
+            with_references(form["properties"][p.name]["items"], parameters(p.item))
         if p.accepts:
             kinds = (File, Text) if contours.Outline in p.kinds else (File,)
             for kind in kinds:

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Declared parameters as a layout: the same lines in the sidebar and in the panel of the last operation."""
 
-from ..core.parameters import inside, spelled
+from ..core.parameters import inside, parameters, spelled
+from ..core.wording import titled
 from .rna import chosen_kinds, label, listed
 
 TYPED = 400  # characters of a list that can still be read and typed as text
@@ -14,7 +15,8 @@ def draw(layout, group, declared):
     Returns the bodies of the open sub-panels, by the groups' names.
     """
     bodies = {"": layout}
-    for p in sorted(declared, key=lambda p: bool(p.group)):
+    idle = {p.group for p in declared if p.item and not hasattr(group, p.name)}  # of an operator, which has no lists
+    for p in sorted((p for p in declared if p.group not in idle), key=lambda p: bool(p.group)):
         if p.group not in bodies:
             header, body = layout.panel(f"sweep_{p.group.lower().replace(' ', '_')}", default_closed=True)
             header.label(text=p.group)
@@ -28,6 +30,9 @@ def draw_one(layout, group, p, name):
     """One parameter, and of a union the chosen kind's own, joined to it."""
     if p.is_list:
         draw_list(layout, group, p, name)
+        return
+    if p.item:
+        draw_items(layout, group, p, name)
         return
     if not p.kinds:
         layout.prop(group, name)
@@ -57,6 +62,19 @@ def draw_beside(layout, group, p, name):
         for q in inside(p, kind):
             if held.intersection(q.splines):
                 draw_one(layout, group, q, f"{name}_{spelled(kind, '_')}_{q.name}")
+
+
+def draw_items(layout, group, p, name):
+    """What is in a list, each with a button that takes it out, and one more button that adds to it."""
+    for number, each in enumerate(getattr(group, name), 1):
+        box = layout.box()
+        head = box.row()
+        head.label(text=f"{titled(p.item)} {number}")
+        remove = head.operator("object.sweep_item_remove", text="", icon="X", emboss=False)
+        remove.parameter, remove.number = name, number
+        for q in parameters(p.item):
+            draw_one(box, each, q, q.name)
+    layout.operator("object.sweep_item_add", text=f"Add {titled(p.item)}", icon="ADD").parameter = name
 
 
 def draw_list(layout, group, p, name):

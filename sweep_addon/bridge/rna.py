@@ -26,17 +26,30 @@ SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed 
 
 
 def annotations(declared, prefix="", pointers=False, **callbacks):
-    """The properties of some parameters; an operator can hold no pointers."""
+    """The properties of some parameters; an operator can hold no pointers, and no lists of what may hold some."""
     made = {}
     for p in declared:
         name = prefix + p.name
         common = {"name": label(p), "description": p.doc, **callbacks}
+        if p.item:
+            if pointers:
+                common = {"name": label(p), "description": p.doc}
+                made[name] = bpy.props.CollectionProperty(type=item_group(p.item, **callbacks), **common)
+            continue
         made[name] = define(p, pointers, common)
         for kind in p.kinds:
             made |= annotations(inside(p, kind), f"{name}_{spelled(kind, '_')}_", pointers, **callbacks)
         if p.accepts and pointers:
             made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=only(p.accepts), **common)
     return made
+
+
+@cache
+def item_group(kind, **callbacks):
+    """The property group of what is in a list: to be registered before a group that has the list."""
+    made = annotations(parameters(kind), pointers=True, **callbacks)
+    name = f"SWEEP_PG_{spelled(kind, '_')}"
+    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": kind.__doc__})
 
 
 def define(p, pointers, common):
@@ -128,6 +141,8 @@ def read(group, shape, resolve=None):
 
 def value(group, p, resolve):
     """The value of one parameter of a shape."""
+    if p.item:
+        return items(group, p, resolve)
     held = raw(group, p, p.name)
     if held == "OBJECT" and p.accepts:
         chosen = getattr(group, f"{p.name}_object")
@@ -138,6 +153,15 @@ def value(group, p, resolve):
         return meant(p, held)
     with at(p.name):
         return understood(p, held)
+
+
+def items(group, p, resolve):
+    """The values in a list, none of an operator."""
+    made = []
+    for number, each in enumerate(getattr(group, p.name, ()), 1):
+        with at(f"{p.name}.{number}"):
+            made.append(read(each, p.item, resolve))
+    return made
 
 
 def raw(group, p, name):
@@ -182,10 +206,23 @@ def chosen_kinds(p):
 
 
 def objects(group, declared):
-    """The objects that stand for values in a group, by the name of their parameter."""
-    return {
+    """The objects that stand for values in a group, by the keys of their parameters: ``morph.2.contour`` in a list."""
+    found = {
         p.name: getattr(group, f"{p.name}_object") for p in declared if p.accepts and getattr(group, p.name) == "OBJECT"
     }
+    for p in (p for p in declared if p.item):
+        for number, each in enumerate(getattr(group, p.name), 1):
+            inner = objects(each, parameters(p.item))
+            found |= {f"{p.name}.{number}.{key}": ob for key, ob in inner.items()}
+    return found
+
+
+def holder(group, key):
+    """The group that holds a parameter, which may be in a list, and its name there."""
+    *path, name = key.split(".")
+    for listed_in, number in zip(path[::2], path[1::2], strict=True):
+        group = getattr(group, listed_in)[int(number) - 1]
+    return group, name
 
 
 def assign(sweep, shape, **objects):
@@ -197,8 +234,9 @@ def assign(sweep, shape, **objects):
         sweep.kind = name.upper()
         write(group, parameters(type(shape)), shape)
         for key, ob in objects.items():
-            setattr(group, f"{key}_object", ob)
-            setattr(group, key, "OBJECT")
+            held_by, name = holder(group, key)
+            setattr(held_by, f"{name}_object", ob)
+            setattr(held_by, name, "OBJECT")
     finally:
         sweep.paused = False
 
@@ -207,6 +245,12 @@ def write(group, declared, value, prefix=""):
     """Set the properties of some parameters, and of a union only those of the chosen kind."""
     for p in declared:
         name, part = prefix + p.name, getattr(value, p.name)
+        if p.item:
+            held = getattr(group, name)
+            held.clear()
+            for item in part:
+                write(held.add(), parameters(p.item), item)
+            continue
         setattr(group, name, stored(p, part))
         if p.kinds:
             write(group, inside(p, type(part)), part, f"{name}_{spelled(type(part), '_')}_")

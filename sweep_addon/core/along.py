@@ -39,6 +39,8 @@ class Along:
         The angle in radians that the frame adds from the start to the end: only stations ask for it.
     frame : Frenet, FixedUp or None
         A frame that turns about the tangent as the trajectory's places say: again only stations ask for it.
+    change : Changing or None
+        How the contour itself changes, which stands where another begins.
     """
 
     trajectory: object
@@ -50,10 +52,11 @@ class Along:
     tapers: tuple = (0.0, 0.0)
     spin: float = 0.0
     frame: object = None
+    change: object = None
 
     @property
     def is_constant(self):
-        still = not self.spin and self.frame is None and not self.trajectory.carries
+        still = not self.spin and self.frame is None and self.change is None and not self.trajectory.carries
         return still and all(getattr(self, key).is_constant for key in LAWS)
 
     def unchanging(self):
@@ -95,6 +98,8 @@ class Along:
         marks = [self.tapers[0], total - self.tapers[1]]
         if self.trajectory.carries:  # the radius may bend there at once
             marks.extend(arc_length(self.trajectory).at(self.trajectory.joints()))
+        if self.change is not None:
+            marks.extend(self.change.places * total)
         if not self.is_constant:
             points = np.sort(np.concatenate(([0.0], self.crossings(), self.touches(), [total])))
             flat = np.abs(self.at(points)[0]) <= NOTHING * self.largest
@@ -174,7 +179,12 @@ class Along:
             bend = reach * (size * rate**2 + change)
             if np.any(offset):
                 bend += bend_beside(offset, twist, s)
-            return np.maximum(np.sqrt(bend / (8 * chord)), np.abs(rate) / WIDEST_TURN)
+            warp = 0.0
+            if self.change is not None:
+                more, warp = self.change.asked(s / s[-1])
+                bend += size * more / s[-1] ** 2
+                warp = size * warp / s[-1] / (4 * chord)
+            return np.maximum(np.maximum(np.sqrt(bend / (8 * chord)), np.abs(rate) / WIDEST_TURN), warp)
 
         return steps
 

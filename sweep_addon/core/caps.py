@@ -32,9 +32,9 @@ def faces(section):
     return tuple(corners), (0, *np.cumsum(sizes).tolist())
 
 
-def at_ends(section, ends, points):
+def at_ends(sections, ends, points):
     """The faces of two ends, or None where one is not flat or a point, as a grid takes them; an open line has none."""
     return tuple(
         faces(section) if isinstance(end, Flat) and section.closed and not point else None
-        for end, point in zip(ends, points, strict=True)
+        for section, end, point in zip(sections, ends, points, strict=True)
     )

@@ -70,13 +70,18 @@ def toml_value(value):
 
 def rows(declared, path):
     for p in declared:
-        default = plain(p.default)
-        if isinstance(default, dict):
-            default = default["kind"]
-        yield Row(path + p.name, takes(p), limits(p), default, p.doc)
+        yield Row(path + p.name, takes(p), limits(p), short(p), p.doc)
+        for q in parameters(p.item) if p.item else ():  # whose kinds are told of where they are first chosen from
+            yield Row(f"{path}{p.name}[].{q.name}", takes(q), limits(q), short(q), q.doc)
         for kind in p.kinds:
             if not shorthand(kind):
                 yield from rows(inside(p, kind), f"{path}{p.name}({spelled(kind)}).")
+
+
+def short(p):
+    """The default of a parameter, of a choice its kind alone."""
+    default = plain(p.default)
+    return default["kind"] if isinstance(default, dict) else default
 
 
 def shorthand(kind):
@@ -91,6 +96,8 @@ def takes(p):
         return " | ".join(spelled(kind) + value for kind, value in held.items())
     if isinstance(p.type, EnumMeta):
         return " | ".join(spelled(member) for member in p.type)
+    if p.item:
+        return f"list of tables of {', '.join(q.name for q in parameters(p.item))}"
     row = f"lists of {p.columns} numbers" if p.columns else "numbers"
     if p.type is Array:
         return f"list of {row}"
@@ -103,7 +110,7 @@ def takes(p):
 def limits(p):
     """Unit and limits in words: ``m, more than 0, at most 10``."""
     numeric = p.type in (int, float) or p.is_list or p.kinds or get_origin(p.type) is tuple
-    return within(UNITS[p.unit] if numeric else "", p.above, p.minimum, p.maximum, longest(p.most, p.columns))
+    return within(UNITS[p.unit] if numeric else "", p.above, p.minimum, p.maximum, longest(p.most, p.columns, p.item))
 
 
 def schema(shapes):
@@ -132,13 +139,12 @@ def schema(shapes):
 def table_schema(kind, declared, before=None):
     """The schema of the table of one kind."""
     known = {**(before or {}), "kind": {"const": spelled(kind)}, **{p.name: value_schema(p) for p in declared}}
-    return {
-        "type": "object",
-        "description": summary(kind),
-        "properties": known,
-        "required": ["kind"],
-        "additionalProperties": False,
-    }
+    return table_of(known, summary(kind)) | {"required": ["kind"]}
+
+
+def table_of(known, description):
+    """The schema of a table that may hold what is known."""
+    return {"type": "object", "description": description, "properties": known, "additionalProperties": False}
 
 
 def value_schema(p):
@@ -154,6 +160,9 @@ def value_schema(p):
 def type_schema(p):
     if isinstance(p.type, EnumMeta):
         return {"enum": [spelled(member) for member in p.type]}
+    if p.item:
+        table = table_of({q.name: value_schema(q) for q in parameters(p.item)}, summary(p.item))
+        return {"type": "array", "items": table} | ({"maxItems": p.most} if isfinite(p.most) else {})
     if p.type is Array:
         row = {"type": "array", "items": {"type": "number"}, "minItems": p.columns, "maxItems": p.columns}
         most = {"maxItems": p.most} if isfinite(p.most) else {}

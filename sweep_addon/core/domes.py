@@ -67,8 +67,8 @@ def domes_of(ends, body, true, samples, fit):
     ends : tuple of two End
     body : Body
         The contours of the sweep, its domes left out.
-    true : Section
-        The one inscribed in the contour.
+    true : tuple of two Section
+        Those inscribed in the contour at the start and at the end.
     samples : Sampling
     fit : Fit
 
@@ -81,13 +81,13 @@ def domes_of(ends, body, true, samples, fit):
     domes = [NONE, NONE]
     for side, key in ((0, "start"), (-1, "end")):
         if isinstance(ends[side], Round) and not body.tips[side]:
+            section = body.ends[side]
             with at(key):
-                require_seen(body.section)
+                require_seen(section)
             scale = np.abs(body.scales[side])
             grown = float(norms(np.cross(*body.rings[1:, side])) / scale.prod())
-            height = ends[side].height * half_breadth(stretched(true, scale))
-            drawn = stretched(body.section, scale)
-            domes[side] = dome(drawn, body.section.centroid, height, samples, fit, grown)
+            height = ends[side].height * half_breadth(stretched(true[side], scale))
+            domes[side] = dome(stretched(section, scale), section.centroid, height, samples, fit, grown)
     return tuple(domes)
 
 

@@ -39,12 +39,17 @@ def plain(value):
     if isinstance(value, Array):
         return value.values.tolist()
     if isinstance(value, tuple):
-        return [plain(item) for item in value]
+        return [held(item) if is_dataclass(item) else plain(item) for item in value]
     if not is_dataclass(value):
         return value
-    table = {p.name: plain(getattr(value, p.name)) for p in parameters(type(value))}
+    table = held(value)
     bare = [table[p.name] for p in parameters(type(value)) if p.shorthand]
     return bare[0] if bare else {"kind": spelled(type(value)), **table} if table else spelled(type(value))
+
+
+def held(value):
+    """The parameters of a declared value, plain."""
+    return {p.name: plain(getattr(value, p.name)) for p in parameters(type(value))}
 
 
 def tables(text):
@@ -174,15 +179,22 @@ def dump(shape):
 
 
 def toml(table):
-    """A table of plain values as TOML: first what is short, then a section for each table in it."""
+    """A table of plain values as TOML: first what is short, then a section for each table in it or in a list of it."""
 
     def lines(table, path=""):
-        inner = {key: value for key, value in table.items() if isinstance(value, dict)}
+        inner = {key: value for key, value in table.items() if holds_tables(value)}
         yield from (f"{key} = {tidy(table[key], scalar, len(key) + 3)}" for key in table if key not in inner)
         for key, value in inner.items():
-            yield from ("", f"[{path}{key}]", *lines(value, f"{path}{key}."))
+            head, tables = (f"[{path}{key}]", [value]) if isinstance(value, dict) else (f"[[{path}{key}]]", value)
+            for each in tables:
+                yield from ("", head, *lines(each, f"{path}{key}."))
 
     return "\n".join(lines(table)) + "\n"
+
+
+def holds_tables(value):
+    """Whether a plain value is a table or a list of them."""
+    return isinstance(value, dict) or isinstance(value, list) and any(isinstance(item, dict) for item in value)
 
 
 def scalar(value):
@@ -224,6 +236,10 @@ def python_source(shape):
 
 
 def source(value, indent):
+    if isinstance(value, tuple) and any(map(is_dataclass, value)):
+        deeper = indent + "    "
+        items = [", ".join(source(part, deeper) for part in vars(item).values()) for item in value]
+        return f"[{''.join(f'{chr(10)}{deeper}({item}),' for item in items)}{chr(10)}{indent}]"
     form = plain(value)
     if (
         not is_dataclass(value)

@@ -13,20 +13,7 @@ from . import caps, closing
 from .along import Along, tapers, tips
 from .bevels import fanned
 from .chart import Chart, Texture, lengths_around
-from .contours import (
-    Aerofoil,
-    Circle,
-    Contour,
-    Ellipse,
-    Fit,
-    Outline,
-    Rectangle,
-    RegularPolygon,
-    Section,
-    Star,
-    Superellipse,
-    fitted,
-)
+from .contours import Circle, Contour, Fit, Section, fitted
 from .domes import domes_of, with_domes
 from .drawn import affine, drawn
 from .enclosing import enclosing, halfway
@@ -35,6 +22,7 @@ from .frames import Frame, Frames, RotationMinimizing, axes
 from .grid import Grid
 from .laws import Law
 from .mesh import Mesh, require_few
+from .morph import AS_THICK, Blend, Match, Morph
 from .parameters import angle, at, declared, parameter, require
 from .sampling import Count, Sampling, Stations, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
@@ -46,15 +34,6 @@ from .volume_true import volume_true
 
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
-AS_THICK = {  # as the tube of a circle: so that another contour in its place passes between the turns of a helix, too
-    Ellipse: {"radius_x": 0.14, "radius_y": 0.07},
-    Rectangle: {"width": 0.1, "height": 0.2},
-    RegularPolygon: {"radius": 0.1},
-    Star: {"outer": 0.12, "inner": 0.05},
-    Superellipse: {"width": 0.2, "height": 0.15},
-    Aerofoil: {"chord": 0.25},
-    Outline: {"loops": [[(-0.1, -0.1), (0.1, -0.1), (0.1, -0.06), (-0.06, -0.06), (-0.06, 0.1), (-0.1, 0.1)]]},
-}
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
 
 
@@ -62,11 +41,17 @@ class Body(NamedTuple):
     """The contours of a sweep at its stations, what closes it at the ends left out."""
 
     section: Section  # as it is drawn: a mirrored one where the laws or the way mirror it
+    change: object  # the Changing that it begins, mirrored likewise; or None
     rings: np.ndarray  # the middle of each and its two axes, scaled: (3, n, 3)
     scales: np.ndarray  # along e2 and e3: (n, 2)
     tips: np.ndarray  # which are a point: (n,) bool
     backward: bool  # whether the middles run against the trajectory
     told: tuple  # sentences for people
+
+    @property
+    def ends(self):
+        """The sections at the start and at the end."""
+        return self.change.ends if self.change else (self.section, self.section)
 
 
 class Swept(NamedTuple):
@@ -123,6 +108,9 @@ class GeneralizedCylinder:
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
     fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape")
+    morph: tuple[Morph, ...] = parameter((), "What the contour becomes on the way", most=100, group="Morph")
+    match: Match = parameter(Match.BY_ARC_LENGTH, "Which points of the contours belong together", group="Morph")
+    blend: Blend = parameter(Blend.LINEAR, "How one contour becomes the next", group="Morph")
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
@@ -181,13 +169,13 @@ class GeneralizedCylinder:
 
     def swept(self):
         """All that the mesh is drawn from: a `Swept`."""
-        section, closed = section_of(self.contour, self.fit), self.trajectory.closed
+        (section, change), closed = self.moving(), self.trajectory.closed
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
-        along, symmetry, reach, told = self.laid_out(section, ends)
+        along, symmetry, reach, told = self.laid_out(section, change, ends)
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         sectors = closing.sectors(self.frame, along, symmetry) if closed else 0
         body = self.carried(section, along, stations, symmetry, tau * sectors / symmetry)
-        true = body.section if self.fit is Fit.INSCRIBED else section_of(self.contour, Fit.INSCRIBED)
+        true = body.ends if self.fit is Fit.INSCRIBED else (section_of(self.contour, Fit.INSCRIBED),) * 2
         domes = domes_of(ends, body, true, self.samples, self.fit)
         vertices = (len(stations.s) + sum(map(len, domes))) * len(section.points)
         require_few(vertices, "samples")
@@ -197,32 +185,46 @@ class GeneralizedCylinder:
             least = np.where(body.tips, 0.0, np.abs(body.scales).min(axis=1))
             rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry)
         rings, points, u, s = with_domes(domes, stations, rings, body)
+        change, scale = body.change, np.abs(body.scales[~body.tips]).mean(axis=0)
+        if change:
+            rings, shape = change.carried(rings, s / stations.total), change.shape
         grid = Grid(
             rings=len(s),
             tips=tuple(np.flatnonzero(points).tolist()),
             closed=closed,
-            creases=creases(stations, len(domes[0])),
+            creases=creases(stations, along, len(domes[0])),
             offsets=tuple(body.section.offsets.tolist()),
-            sharp=tuple(np.flatnonzero(body.section.sharp).tolist()),
-            caps=caps.at_ends(body.section, ends, (closed or points[0], closed or points[-1])),
+            sharp=tuple(np.flatnonzero(change.sharp if change else body.section.sharp).tolist()),
+            caps=caps.at_ends(body.ends, ends, (closed or points[0], closed or points[-1])),
             seam=closing.seam(body.section, sectors, symmetry) if closed else (),
             domes=tuple(map(len, domes)),
             gaps=tuple(body.section.gaps.tolist()),
+            smooth=change.smooth(s / stations.total) if change else (),
         )
-        around = lengths_around(body.section, np.abs(body.scales[~body.tips]).mean(axis=0))
-        flat = tuple(body.section.points * body.scales[station] for station in (0, -1))
+        around = change.around(scale, stations.t) if change else lengths_around(body.section, scale)
+        flat = tuple(body.ends[station].points * body.scales[station] for station in (0, -1))
         chart = Chart(grid, u, s, stations.total, around, flat, self.texture, self.attributes)
         return Swept(stations, along, symmetry, body, rings, shape, points, chart, told + body.told)
 
-    def laid_out(self, section, ends):
+    def moving(self):
+        """The section that starts the sweep, and how it changes: a `Changing`, or None."""
+        if not self.morph:
+            return section_of(self.contour, self.fit), None
+        from .changing import changing, require_inscribed  # most contours stay as they are
+
+        require_inscribed(self.fit)
+        change = changing(self.contour, self.morph, self.match, self.blend, bool(self.trajectory.closed))
+        return change.sections[0], change
+
+    def laid_out(self, section, change, ends):
         """The laws of the sweep, in how many turns they leave the section as it is, its reach, and what is to be told.
 
         The reach is that of the section's farthest point from the reference point, in metres, before any scale.
         """
-        told, reach = (), float(np.linalg.norm(section.points, axis=1).max())
+        told, reach = change.told if change else (), farthest(section, change)
         if self.trajectory.closed and any(isinstance(end, (Taper, Round)) for end in (self.start, self.end)):
-            told = ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
-        along, symmetry = self.along(section, ends)
+            told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
+        along, symmetry = self.along(section, change, ends)
         along, limit = bevelled(along, reach)
         return along, symmetry, reach, told + limit
 
@@ -232,18 +234,26 @@ class GeneralizedCylinder:
         points, mirrored = tips(scale_x, scale_y, along.largest, stations.closed, along.scaled_by)
         e2, e3, told = axes(self.frame, stations, twist, symmetry)
         rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
-        told += folds_told(stations, *rings, getattr(self.contour, "support", section.support))
+        change, centroid = along.change, section.centroid
+        if change:
+            centroid = change.centroids(stations.t)
+            weighted = (change.weighted(axis, stations.t) for axis in rings[1:])
+            told += folds_told(stations, rings[0], *weighted, change.support)
+        else:
+            told += folds_told(stations, *rings, getattr(self.contour, "support", section.support))
         if self.fit is Fit.AREA_TRUE:
             rings = volume_true(stations, rings, along, section.centroid, turn)
         else:
             rings = placed(stations, *rings)
-        reach = float(np.linalg.norm(section.points, axis=1).max()) * along.largest
+        reach = farthest(section, change) * along.largest
         least = ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
-        backward = running_backward(stations, rings, section.centroid, np.any(offset))
+        backward = running_backward(stations, rings, centroid, np.any(offset))
         if mirrored != backward:
-            section, scale_x, rings[1] = section.mirrored, -scale_x, -rings[1]
-        return Body(section, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told)
+            scale_x, rings[1] = -scale_x, -rings[1]
+            change = change and change.mirrored
+            section = change.sections[0] if change else section.mirrored
+        return Body(section, change, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told)
 
     def frames(self, most=100):
         """The frames and contours at places spread evenly along the trajectory.
@@ -264,30 +274,35 @@ class GeneralizedCylinder:
         >>> frames.points[:, 2].tolist(), frames.e1[0].tolist(), frames.contours[0].shape
         ([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.0, 1.0], (5, 64, 3))
         """
-        section, closed = section_of(self.contour, Fit.INSCRIBED), self.trajectory.closed
+        (section, change), closed = replace(self, fit=Fit.INSCRIBED).moving(), self.trajectory.closed
         require(most >= 2, "must be at least 2", most, "most")
-        along, symmetry, reach, _ = self.laid_out(section, (Flat(), Flat()) if closed else (self.start, self.end))
+        along, symmetry, reach, _ = self.laid_out(
+            section, change, (Flat(), Flat()) if closed else (self.start, self.end)
+        )
         steps = arc_length(along.trajectory).total / max(reach * along.largest, ROUNDING)
         stations = place(along.trajectory, Count(int(np.clip(steps + (not closed), 2, most))))
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         e2, e3, _ = axes(self.frame, stations, twist, symmetry)
         rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
         shown = np.unique(np.linspace(0, len(stations.s) - 1, min(most, len(stations.s))).round().astype(int))
-        middle, x, y = rings[:, shown, None]
-        points = middle + x * section.points[:, :1] + y * section.points[:, 1:]
+        rings, shape = rings[:, shown], section.points
+        if change:
+            rings, shape = change.carried(rings, stations.t[shown]), change.shape
+        points = np.einsum("mk,kni->nmi", affine(shape), rings)
         loops = tuple(np.split(points, section.offsets[1:-1], axis=1))
         held = (stations.u, stations.s, stations.points, stations.tangent, e2, e3)
         return Frames(*(values[shown] for values in held), loops)
 
-    def along(self, section, ends):
+    def along(self, section, change, ends):
         """The laws of the sweep, and in how many turns the section is mapped to itself as they leave it."""
         with at("trajectory"):
             arc_length(self.trajectory)
         laws = (self.scale_x, self.scale_y, self.twist, self.offset_x, self.offset_y)
         along = Along(self.trajectory, *laws, tapers(*ends))
-        symmetry = along.symmetry(section) if self.trajectory.closed or self.frame.extra_sectors else 1
+        turns = change is None and (self.trajectory.closed or self.frame.extra_sectors)
+        symmetry = along.symmetry(section) if turns else 1
         placed = None if isinstance(self.frame, RotationMinimizing) else self.frame
-        return replace(along, spin=self.frame.extra(symmetry), frame=placed), symmetry
+        return replace(along, spin=self.frame.extra(symmetry), frame=placed, change=change), symmetry
 
 
 @lru_cache(maxsize=16)
@@ -310,10 +325,19 @@ def stand(samples, along, reach):
     return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
 
 
-def creases(stations, before):
-    """The rings where a mitre turns so much that it is an edge; some stand before the first station."""
+def farthest(section, change):
+    """How far a section, or any that it becomes, reaches from its reference point, in metres."""
+    return float(np.linalg.norm(change.points if change else section.points, axis=-1).max())
+
+
+def creases(stations, along, before):
+    """The rings where a mitre, or a morph, turns so much that it is an edge; some stand before the first station."""
     turn = dot(stations.arrive[stations.corners], stations.leave[stations.corners])
-    return tuple((before + stations.corners[turn < CREASE]).tolist())
+    edges = stations.corners[turn < CREASE]
+    if along.change:
+        met = along.change.creases(stations.total, along.largest)
+        edges = np.union1d(edges, np.abs(stations.t - met[:, None]).argmin(axis=1))
+    return tuple((before + edges).tolist())
 
 
 def placed(stations, aside, x, y):

@@ -44,6 +44,8 @@ class Grid:
         The columns that no strip of faces joins to the next: the last one of an open loop, and between two poles.
     poles : tuple of int
         The columns that are one vertex, on the axis of a rotation. They have a gap between them, and then no tips.
+    smooth : tuple of (int, int, tuple of int)
+        From one station to another, the sharp columns that are no edges there.
     """
 
     rings: int
@@ -57,6 +59,7 @@ class Grid:
     domes: tuple = (0, 0)
     gaps: tuple = ()
     poles: tuple = ()
+    smooth: tuple = ()
 
     @property
     def columns(self):

@@ -109,27 +109,28 @@ def __dir__():
 
 
 def monotone_slopes(knots, values):
-    """The slope at each knot: 0 at a turn, else a harmonic mean of the slopes beside it, so nothing overshoots."""
-    steps = np.diff(knots)
-    rises = np.diff(values) / steps
+    """The slope at each knot: 0 at a turn, else a harmonic mean of the slopes beside it, so nothing overshoots.
+
+    The values are (k,), or (k, ...) of many curves with the same knots.
+    """
+    steps = np.diff(knots).reshape(-1, *(1,) * (values.ndim - 1))
+    rises = np.diff(values, axis=0) / steps
     if len(steps) == 1:
-        return np.repeat(rises, 2)
+        return np.repeat(rises, 2, axis=0)
     before, after = rises[:-1], rises[1:]
     weight = (2 * steps[1:] + steps[:-1], steps[1:] + 2 * steps[:-1])
     same = np.sign(before) * np.sign(after) > 0
     before, after = np.where(same, before, 1.0), np.where(same, after, 1.0)
     inner = np.where(same, (weight[0] + weight[1]) / (weight[0] / before + weight[1] / after), 0.0)
-    return np.concatenate(([end_slope(*steps[:2], *rises[:2])], inner, [end_slope(*steps[:-3:-1], *rises[:-3:-1])]))
+    ends = end_slope(*steps[:2], *rises[:2]), end_slope(*steps[:-3:-1], *rises[:-3:-1])
+    return np.concatenate((ends[0][None], inner, ends[1][None]))
 
 
 def end_slope(step, next_step, rise, next_rise):
     """The slope at an end of the parabola through three points, held to what keeps the curve monotone."""
     slope = ((2 * step + next_step) * rise - step * next_rise) / (step + next_step)
-    if np.sign(slope) != np.sign(rise):
-        return 0.0
-    if np.sign(rise) != np.sign(next_rise) and abs(slope) > 3 * abs(rise):
-        return 3 * rise
-    return slope
+    beyond = (np.sign(rise) != np.sign(next_rise)) & (np.abs(slope) > 3 * np.abs(rise))
+    return np.where(np.sign(slope) != np.sign(rise), 0.0, np.where(beyond, 3 * rise, slope))
 
 
 def hermite(knots, values, slopes, t):

@@ -137,7 +137,10 @@ class Layout:
         """Edges along the corners of the contour, round the mitres and round the caps, and on the axis between caps."""
         grid, first = self.grid, self.around
         sharp = np.zeros(self.inner + len(axis), bool)
-        sharp[:first].reshape(len(grid.lines), self.bands)[np.isin(grid.lines, grid.sharp)] = True
+        along = sharp[:first].reshape(len(grid.lines), self.bands)
+        along[np.isin(grid.lines, grid.sharp)] = True
+        for start, stop, columns in grid.smooth:
+            along[np.isin(grid.lines, columns), start:stop] = False
         rims = [station for station, cap in zip((0, grid.rings - 1), grid.caps, strict=True) if cap is not None]
         around = sharp[first : self.inner].reshape(-1, self.rings)
         around[:, np.isin(grid.whole, [*grid.creases, *rims])] = True

@@ -20,7 +20,7 @@ from typing import dataclass_transform, get_args, get_origin, get_type_hints
 import numpy as np
 
 from .frozen import bound, by_value, individual, unchanging
-from .wording import MEASURES, documented, longest, named, shown, spelled
+from .wording import MEASURES, documented, item_of, longest, named, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
@@ -130,6 +130,11 @@ class Parameter:
         return get_args(self.type) if isinstance(self.type, UnionType) else ()
 
     @cached_property
+    def item(self):
+        """The declared class of which the value is a list, or None."""
+        return item_of(self.type)
+
+    @cached_property
     def is_list(self):
         return self.type in (Array, tuple[Array, ...])
 
@@ -195,6 +200,8 @@ def coerce(p, value):
         return coerce_option(p, value)
     if p.type is Array:
         return coerce_array(p, value)
+    if p.item:
+        return tuple(coerce_items(p, value))
     if get_origin(p.type) is tuple:
         first, *rest = get_args(p.type)
         require(isinstance(value, (list, tuple, np.ndarray)), "must be a list", value)
@@ -229,7 +236,7 @@ def coerce_number(p, value):
 
 def require_few(p, size):
     """Refuse a long list before anything is done that takes time for each of its rows."""
-    require(size <= p.most, f"must have {longest(p.most, p.columns)}", size)
+    require(size <= p.most, f"must have {longest(p.most, p.columns, p.item)}", size)
 
 
 def rows(value):
@@ -253,6 +260,19 @@ def coerce_array(p, value):
         got = f"{array.values[wrong][0]:g} in row {np.argwhere(wrong)[0, 0] + 1}"
         raise ShapeError(f"must have finite numbers up to {LARGEST:g} in size, got {got}")
     return array
+
+
+def coerce_items(p, value):
+    """Declared values from themselves, from their tables, or from what they hold in the order of its declaration."""
+    require(isinstance(value, (list, tuple)), "must be a list", value)
+    require_few(p, len(value))
+    declared = parameters(p.item)
+    for number, item in enumerate(value, 1):
+        with at(f"{number}"):
+            if isinstance(item, (list, tuple)):
+                require(len(item) <= len(declared), f"must have at most {len(declared)} values", len(item))
+                item = {q.name: part for q, part in zip(declared, item, strict=False)}
+            yield item if isinstance(item, p.item) else filled(p.item, declared, item)
 
 
 def coerce_kind(p, value):
@@ -290,7 +310,13 @@ def from_table(names, table, declared):
     table = dict(table)
     with at("kind"):
         kind = pick(names, table.pop("kind", None))
-    known = {q.name: q.default for q in declared(kind)}
+    return filled(kind, declared(kind), table)
+
+
+def filled(kind, declared, table):
+    """A value of a kind from a table of some of its parameters."""
+    require(isinstance(table, dict), f"must be a table of {', '.join(q.name for q in declared)}", table)
+    known = {q.name: q.default for q in declared}
     for key in (key for key in table if key not in known):
         raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", named(key))
     return kind(**known | table)

@@ -143,7 +143,7 @@ class TranslationalSweep:
             creases=tuple(np.flatnonzero(heights == 0).tolist()) if moves.any() and heights[0] < 0 else (),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=caps.at_ends(section, (self.start, self.end), points),
+            caps=caps.at_ends((section, section), (self.start, self.end), points),
             gaps=tuple(section.gaps.tolist()),
         )
         flat = tuple(drafted(section, moves, abs(height)).points for height in heights[[0, -1]])

@@ -3,7 +3,7 @@
 """Wording: how people read the names, values and limits of parameters, in refusals, tables and docstrings."""
 
 import re
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from enum import Enum, EnumMeta
 from functools import cache
 from math import floor, inf, isfinite, log10
@@ -65,9 +65,9 @@ def titled(kind):
     return spelled(kind, " ").title() if isinstance(kind, Enum) else WORDS.sub(" ", kind.__name__)
 
 
-def longest(most, columns):
-    """How many rows a list may have, in words."""
-    return f"at most {most} {'points' if columns else 'numbers'}" if isfinite(most) else ""
+def longest(most, columns, items=False):
+    """How many rows or items a list may have, in words."""
+    return f"at most {most} {'items' if items else 'points' if columns else 'numbers'}" if isfinite(most) else ""
 
 
 def within(unit, above=-inf, minimum=-inf, maximum=inf, size=""):
@@ -104,7 +104,7 @@ def entry(field):
     told, default = field.metadata, field.default
     default = repr(spelled(default) if isinstance(default, Enum) else default)
     default = default if len(default) <= LONGEST else f"{default[: LONGEST - 4]} ..."
-    size = longest(told.get("most", inf), told.get("columns"))
+    size = longest(told.get("most", inf), told.get("columns"), item_of(field.type))
     limits = within(UNITS.get(told.get("unit")), *(told.get(key, none) for key, none in LIMITS.items()), size)
     limits = f"{limits}, " if limits else ""
     return f"{field.name} : {typed(field.type, told)}, {limits}default {default}\n    {told['doc']}.\n"
@@ -116,11 +116,19 @@ def typed(type_, told):
         return either([kind.__name__ for kind in get_args(type_)])
     if isinstance(type_, EnumMeta):
         return either([repr(spelled(member)) for member in type_])
+    if item_of(type_):
+        return f"sequence of {item_of(type_).__name__}"
     row = f"(n, {told['columns']}) float array" if "columns" in told else "(n,) float array"
     if get_origin(type_) is tuple:
         first, *rest = get_args(type_)
         return f"sequence of {row}s" if rest == [...] else f"sequence of {1 + len(rest)} {first.__name__}s"
     return row if type_.__name__ == "Array" else type_.__name__
+
+
+def item_of(type_):
+    """The declared class of which values of a type are lists, or None."""
+    inner = get_args(type_)
+    return inner[0] if get_origin(type_) is tuple and is_dataclass(inner[0]) else None
 
 
 def either(names):

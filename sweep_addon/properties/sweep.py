@@ -29,6 +29,7 @@ def shape_group(shape):
 
 
 GROUPS = {spelled(shape, "_"): shape_group(shape) for shape in SHAPES}
+ITEMS = {rna.item_group(p.item, update=update) for shape in SHAPES for p in parameters(shape) if p.item}
 
 
 def hidden(maker, **keywords):
@@ -63,7 +64,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     }
 
 
-CLASSES = (*GROUPS.values(), SWEEP_PG_sweep)
+CLASSES = (*ITEMS, *GROUPS.values(), SWEEP_PG_sweep)
 
 
 def register():

@@ -24,6 +24,8 @@ def properties(shape):
 
     def flat(declared, prefix=""):
         for p in declared:
+            if p.item:
+                continue  # no property of an operator
             yield prefix + p.name, p
             for kind in p.kinds:
                 yield from flat(inside(p, kind), f"{prefix}{p.name}_{spelled(kind, '_')}_")
@@ -132,6 +134,8 @@ def test_shape_of_lengths_below_a_micrometre_is_what_it_is(scene):
 
 def values(p):
     """Values of a parameter, of every kind and up to every limit."""
+    if p.item:
+        return st.lists(described(p.item), max_size=3)
     if p.kinds:
         return st.one_of([described(kind, lambda kind=kind: inside(p, kind)) for kind in p.kinds])
     if isinstance(p.default, Enum):
@@ -178,6 +182,8 @@ def in_single_precision(value):
     """A declared value as plain ones, numbers but those of lists rounded as Blender's properties are."""
     if isinstance(value, float):
         return float(np.float32(value))
+    if isinstance(value, tuple) and value and all(map(is_dataclass, value)):
+        return [in_single_precision(item) for item in value]
     if isinstance(value, tuple) and not any(isinstance(item, Array) for item in value):
         return [in_single_precision(item) for item in value]
     if not is_dataclass(value):

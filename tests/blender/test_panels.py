@@ -132,8 +132,9 @@ def test_menu_stands_in_object_convert(scene):
 def test_a_sweep_shows_every_parameter_once_and_what_can_be_done(scene):
     calls = drawn(sweep())
     for p in parameters(sw.GeneralizedCylinder):
-        assert calls.count(p.name) == 1
+        assert calls.count(p.name) == (0 if p.item else 1)
     assert {"object.sweep_apply", "object.sweep_copy", "object.sweep_edit_as_curve"} <= set(calls)
+    assert "object.sweep_item_add" in calls
     assert "contour_circle_radius" in calls and "contour_rectangle_width" not in calls
 
 
@@ -204,6 +205,12 @@ def test_a_chosen_kind_shows_its_own_parameters_and_no_other_kinds(scene, p, kin
     assert not others
 
 
+def test_what_is_in_a_list_shows_its_parameters_and_a_button_that_takes_it_out(scene):
+    calls = drawn(sweep(morph=[(0.5, "circle"), (1, "star")]))
+    assert calls.count("t") == calls.count("object.sweep_item_remove") == 2
+    assert calls.count("contour") == 3 and calls.count("contour_star_inner") == 1
+
+
 @pytest.mark.parametrize("parameter", ["contour", "trajectory"])
 def test_an_object_shows_which(scene, parameter):
     ob = sweep(**{parameter: {"contour": square, "trajectory": straight}[parameter]()})
@@ -262,8 +269,9 @@ def test_last_operation_shows_every_parameter(scene):
     layout, operator = Layout(), bpy.types.MESH_OT_generalized_cylinder_add
     asked = SimpleNamespace(**{**values, "layout": layout, "shape": operator.shape, "bl_rna": known})
     operator.draw(asked, bpy.context)
+    lists = {p.group for p in parameters(operator.shape) if p.item}
     for p in parameters(operator.shape):
-        assert layout.drawn.count(p.name) == 1
+        assert layout.drawn.count(p.name) == (0 if p.group in lists else 1)
     assert {"location", "rotation", "contour_circle_radius"} <= set(layout.drawn)
 
 

@@ -26,7 +26,7 @@ ROUNDING = 1e-9  # of the radius: less is no crossing
 def of_cylinder(shape):
     """The places where a generalized cylinder meets itself: `Places`."""
     swept = shape.swept()
-    unit = "radius" if isinstance(shape.contour, Circle) else "scale"
+    unit = "radius" if isinstance(shape.contour, Circle) and not swept.along.change else "scale"
     size = shape.contour.radius if unit == "radius" else 1.0
     radius = round_radius(shape, swept)
     if radius:
@@ -34,8 +34,10 @@ def of_cylinder(shape):
         safe = size * best.radius / radius
         if best.radius >= radius * (1 - ROUNDING):
             return Places((), lambda: safe, unit)
-    farthest = swept.along.farthest(float(norms(swept.body.section.points).max()))
-    local = Local(swept.stations, carried(shape, swept), support(shape.contour), farthest)
+    change = swept.along.change
+    farthest = swept.along.farthest(float(norms(change.points if change else swept.body.section.points).max()))
+    reaching = change.support if change else support(shape.contour)
+    local = Local(swept.stations, carried(shape, swept), reaching, farthest)
     lattice = lattice_of(swept)
     found = together(lattice, local, Legs(swept, lattice), size, unit)
     if not radius:
@@ -49,8 +51,10 @@ def carried(shape, swept):
     def at(stations):
         scale_x, scale_y, twist, offset_x, offset_y = swept.along.at(stations.s, stations.u)
         e2, e3, _ = axes(shape.frame, stations, twist, swept.symmetry)
-        aside = e2 * offset_x[:, None] + e3 * offset_y[:, None]
-        return bend(stations.trajectory, stations.u), aside, e2 * scale_x[:, None], e3 * scale_y[:, None]
+        aside, x, y = e2 * offset_x[:, None] + e3 * offset_y[:, None], e2 * scale_x[:, None], e3 * scale_y[:, None]
+        if swept.along.change:
+            x, y = (swept.along.change.weighted(axis, stations.t) for axis in (x, y))
+        return bend(stations.trajectory, stations.u), aside, x, y
 
     return at
 
@@ -59,8 +63,10 @@ def round_radius(shape, swept):
     """The radius of a round tube along a smooth trajectory whose reach says it all; 0 for any other shape."""
     along = swept.along
     tube = isinstance(shape.contour, Circle) and not along.trajectory.carries and not any(along.tapers)
-    if not tube or not (
-        shape.trajectory.closed or all(isinstance(end, Flat | Open) for end in (shape.start, shape.end))
+    if (
+        along.change
+        or not tube
+        or not (shape.trajectory.closed or all(isinstance(end, Flat | Open) for end in (shape.start, shape.end)))
     ):
         return 0.0
     scale_x, scale_y, _, *offset = along.everywhere()

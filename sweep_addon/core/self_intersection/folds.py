@@ -105,10 +105,10 @@ def folding(bend, aside, x, y, support):
         Curvature vectors in 1/m.
     aside : (n, 3) float array
         From the trajectory to the reference point.
-    x, y : (n, 3) float array
-        The contour's axes, scaled.
+    x, y : (n, 3) or (n, k, 3) float array
+        The contour's axes, scaled, or those of the contours that it is a sum of.
     support : callable
-        From directions (n, 2) in the contour's plane to how far it reaches that way, in metres, (n,).
+        From directions (n, 2) or (n, k, 2) in the contour's plane to how far it reaches that way, in metres, (n,).
 
     Examples
     --------
@@ -118,16 +118,21 @@ def folding(bend, aside, x, y, support):
     >>> folding(x, 0 * x, x, y, lambda direction: 2 * np.hypot(*direction.T)).tolist()
     [1.0]
     """
-    middle, towards = dot(bend, aside), np.stack((dot(bend, x), dot(bend, y)), axis=1)
+    middle, towards = dot(bend, aside), seen(bend, x, y)
     return np.minimum(middle + support(towards) - 1, 1 - middle + support(-towards))
 
 
 def safe_factor(bend, aside, x, y, support):
     """By what factor each contour may be scaled before it folds: (n,), infinite where nothing bends."""
-    room, towards = 1 - dot(bend, aside), np.stack((dot(bend, x), dot(bend, y)), axis=1)
-    towards *= np.where(room < 0, -1.0, 1.0)[:, None]  # a reference point beyond the centre comes nearer from there
+    room, towards = 1 - dot(bend, aside), seen(bend, x, y)
+    towards[room < 0] *= -1  # a reference point beyond the centre comes nearer from there
     reached = support(towards)
     return np.divide(np.abs(room), reached, out=np.full(len(room), np.inf), where=reached > 0)
+
+
+def seen(bend, x, y):
+    """Curvature vectors (n, 3) along axes: (n, 2), or (n, k, 2) where there are more of them, (n, k, 3)."""
+    return np.stack([np.einsum("ni,n...i->n...", bend, axis) for axis in (x, y)], axis=-1)
 
 
 def folds_told(stations, aside, x, y, support):
@@ -136,7 +141,7 @@ def folds_told(stations, aside, x, y, support):
     Parameters
     ----------
     stations : Stations
-    aside, x, y : (n, 3) float array
+    aside, x, y : (n, 3) or (n, k, 3) float array
         As `folding` takes them; all of them across the tangents.
     support : callable
 
@@ -148,7 +153,8 @@ def folds_told(stations, aside, x, y, support):
     if len(stations.corners):
         bend = bend.copy()
         bend[stations.corners] = 0.0  # a corner's bend is no curvature: its mitre is another matter
-    farthest = support(AROUND).max() * np.sqrt(2 * max(dot(x, x).max(), dot(y, y).max())) + norms(aside).max()
+    longest = max(norms(axis).reshape(len(axis), -1).sum(axis=1).max() for axis in (x, y))
+    farthest = support(AROUND).max() * np.sqrt(2) * longest + norms(aside).max()
     bent = np.flatnonzero(norms(bend) * farthest >= 1)
     if not len(bent):
         return ()
@@ -192,7 +198,8 @@ def running_backward(stations, rings, centroid, moved):
     """
     if not moved and np.linalg.norm(centroid) * np.abs(rings[1:]).max() <= ROUNDING * stations.total:
         return False
-    middles = rings[0] + centroid[0] * rings[1] + centroid[1] * rings[2]
+    x, y = np.reshape(centroid, (2, -1, 1))  # one, or one for each station
+    middles = rings[0] + x * rings[1] + y * rings[2]
     forward = stations.leave[stations.starts] + stations.arrive[stations.onward]
     return bool((dot(stations.steps(middles), forward) < 0).all())
 

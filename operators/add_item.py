@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Add to a list of the active shape, as one more contour of its morph."""
+
+from bpy.props import StringProperty
+from bpy.types import Operator
+
+from ..sweep_addon.bridge import objects, rna
+from ..sweep_addon.core.parameters import ShapeError, parameters
+from ..sweep_addon.core.wording import shown
+
+
+class OBJECT_OT_sweep_item_add(Operator):
+    """Add one more to a list of the active sweep"""
+
+    bl_idname = "object.sweep_item_add"
+    bl_label = "Add to a Sweep's List"
+    bl_options = {"REGISTER", "UNDO", "INTERNAL"}
+
+    parameter: StringProperty(name="Parameter", description="The list that is added to")
+
+    @classmethod
+    def poll(cls, context):
+        if objects.is_editable_sweep(context.active_object):
+            return True
+        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
+        return False
+
+    def execute(self, context):
+        sweep = context.active_object.data.sweep
+        shape, group = objects.group_of(sweep.id_data)
+        lists = {p.name: p for p in parameters(shape) if p.item}
+        if self.parameter not in lists:
+            self.report({"ERROR"}, f"The {objects.title(shape).lower()} has no list {shown(self.parameter)}")
+            return {"CANCELLED"}
+        p = lists[self.parameter]
+        try:
+            more = p.item.after(objects.shapes(sweep.id_data)[0])
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        sweep.paused = True
+        rna.write(getattr(group, p.name).add(), parameters(p.item), more)
+        sweep.paused = False
+        return {"FINISHED"}

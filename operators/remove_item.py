@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Take something out of a list of the active shape, as a contour of its morph."""
+
+from bpy.props import IntProperty, StringProperty
+from bpy.types import Operator
+
+from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.parameters import parameters
+
+
+class OBJECT_OT_sweep_item_remove(Operator):
+    """Take this out of the list"""
+
+    bl_idname = "object.sweep_item_remove"
+    bl_label = "Remove from a Sweep's List"
+    bl_options = {"REGISTER", "UNDO", "INTERNAL"}
+
+    parameter: StringProperty(name="Parameter", description="The list that something is taken out of")
+    number: IntProperty(name="Number", description="Which of it, from 1", default=1, min=1)
+
+    @classmethod
+    def poll(cls, context):
+        if objects.is_editable_sweep(context.active_object):
+            return True
+        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
+        return False
+
+    def execute(self, context):
+        sweep = context.active_object.data.sweep
+        shape, group = objects.group_of(sweep.id_data)
+        known = self.parameter in [p.name for p in parameters(shape) if p.item]
+        held = getattr(group, self.parameter) if known else ()
+        if self.number > len(held):
+            self.report({"ERROR"}, f"The {objects.title(shape).lower()} has no {self.parameter} {self.number}")
+            return {"CANCELLED"}
+        sweep.paused = True
+        held.remove(self.number - 1)
+        sweep.paused = False
+        return {"FINISHED"}
