@@ -107,25 +107,21 @@ class Chart:
         return uv.reshape(-1, 2)
 
     def strip(self):
-        """Where each band starts and ends along the texture, two (b,), and each column's face across it, two (m,)."""
+        """Where each band starts and ends along the texture, two (b,), and each column's face across it, two (m,).
+
+        Across it a loop is measured from its end, or pictures would be seen in a mirror.
+        """
         low, high = self.s[self.grid.bands()[0]].T
         high = np.where(high > low, high, self.total)
-        left, right = self.columns()
-        if self.texture is Texture.LENGTHS:
-            return low, high, left, right
         offsets = np.array(self.grid.offsets)
         loop = run_of(offsets)
         start, end = self.around[offsets[loop] + loop], self.around[offsets[loop + 1] + loop]
-        first, whole = (
-            self.s[0],
-            max(self.total, self.s[-1]) - self.s[0],
-        )  # with a dome they begin or end beyond the path
-        return (
-            (low - first) / whole,
-            (high - first) / whole,
-            (left - start) / (end - start),
-            (right - start) / (end - start),
-        )
+        left, right = (end - side for side in self.columns())
+        if self.texture is Texture.LENGTHS:
+            return low, high, start + left, start + right
+        first, whole = self.s[0], max(self.total, self.s[-1]) - self.s[0]  # with a dome they are beyond the path
+        low, high = (low - first) / whole, (high - first) / whole
+        return low, high, left / (end - start), right / (end - start)
 
     def cap_uv(self, dtype):
         """The caps lie flat beside the strip, before its start and after its end; as a unit each has one of its own."""

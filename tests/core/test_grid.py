@@ -133,6 +133,15 @@ def test_textures_of_a_bent_tube_are_as_long_as_its_trajectory():
     assert stretch.max() / stretch.min() < 1.001 * (1 + 0.01 * 4) / (1 - 0.01 * 4)  # radius times curvature under 4
 
 
+@pytest.mark.parametrize("texture", ["lengths", "unit"])
+@pytest.mark.parametrize("name", [name for name in SHAPES if name != "two"])
+def test_no_texture_is_seen_in_a_mirror(name, texture):
+    """Seen from outside, the corners of a face run the same way round in the texture as in space: counter-clockwise."""
+    mesh = replace(SHAPES[name], texture=texture).mesh()
+    (x, y), (ahead_x, ahead_y) = mesh.uv.T, mesh.uv[mesh.topology.following].T
+    assert (np.add.reduceat(x * ahead_y - y * ahead_x, mesh.offsets[:-1]) > 0).all()
+
+
 @pytest.mark.parametrize("name", ["tube", "open", "glyphs", "ring", "one side", "one side and a hole", "mirrored"])
 def test_the_seam_runs_along_edges_one_for_each_loop(name):
     """A texture is torn only where a loop begins, where a closed trajectory does, and round the caps."""
