@@ -77,7 +77,9 @@ def draw_sweep(layout, context, mesh, say):
         say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
     elif sweep.edited:
         say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
-    draw_told(layout, sweep, say)
+    for sentence in sweep.told.split("\n"):
+        if sentence and not sentence.startswith(PREFIX):
+            say(layout, sentence, "INFO")
     column = layout.column(align=True)
     column.label(text=objects.title(shape), icon_value=previews.icon(shape))
     column.label(text=f"{sweep.rings:,} contours, {len(mesh.polygons):,} faces", icon="BLANK1")
@@ -91,6 +93,7 @@ def draw_sweep(layout, context, mesh, say):
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
     if frames:
         frames.prop(context.window_manager, "sweep_show_frames")
+    draw_self_intersections(layout, sweep, say)
     names = {p.name for p in declared if p.accepts}
     editable = [name for name in EDITABLE if name in names]
     for some in filter(None, (editable[:2], editable[2:])):
@@ -103,22 +106,22 @@ def draw_sweep(layout, context, mesh, say):
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
-    layout.operator("object.sweep_find_self_intersections")
 
 
-def draw_told(layout, sweep, say):
-    """What the shape tells: of self-intersections the folds, until all places have been looked for."""
-    told = sweep.told.split("\n")
-    crossing = [sentence for sentence in told if sentence.startswith(PREFIX)]
-    for sentence in told:
-        if sentence and sentence not in crossing:
-            say(layout, sentence, "INFO")
+def draw_self_intersections(layout, sweep, say):
+    """The folds, and all places where the sweep meets itself once they have been looked for.
+
+    That is a moment after the last change, so this stands below the parameters: nothing moves under the mouse.
+    """
+    found = [sentence for sentence in sweep.told.split("\n") if sentence.startswith(PREFIX)]
     if sweep.looked_at == sweep.made:
-        crossing = sweep.places.split("\n") if sweep.places else []
-    for sentence in crossing:
+        found = sweep.places.split("\n") if sweep.places else []
+    for sentence in found:
         say(layout, sentence, "ERROR" if sentence.startswith(PREFIX) else "BLANK1")
-    if crossing:
+    if found:
         layout.operator("object.sweep_select_self_intersections", icon="RESTRICT_SELECT_OFF")
+    else:
+        layout.operator("object.sweep_find_self_intersections")
 
 
 def is_like(other, mesh):
