@@ -72,6 +72,41 @@ def test_screw_thread_turns_once_in_its_pitch(name):
     assert name == f"screw_thread_m{1000 * shape.contour.diameter:g}"
 
 
+def test_bolt_head_is_the_hexagon_of_an_m12():
+    """ISO 4014: 18 mm across the flats, 7.5 mm high."""
+    across, _, high = size("bolt_head")
+    assert min(size("bolt_head")[:2]) == pytest.approx(18, rel=1e-9) and across > 18 and high == pytest.approx(7.5)
+
+
+def test_wine_glass_has_the_measures_and_holds_what_iso_3591_says():
+    """In millimetres: 155 high, 65 across the foot and the bowl, 46 across the rim; 215 ml, 10 more or less."""
+    across, _, high = size("wine_glass")
+    section = presets.shape("wine_glass").contour.section()
+    x, y = 1000 * section.points.T
+    assert (across, high) == (pytest.approx(65, rel=1e-3), pytest.approx(155.4, abs=0.1))  # the rim is round
+    assert 2 * x[np.abs(y - 155) < 1e-6].max() == pytest.approx(46) and 2 * x[np.abs(y - 30) < 21].min() == 9
+    inside = slice(int(np.argmin(np.abs(section.points - (0.0222, 0.155)).sum(axis=1))), None)
+    r, h = x[inside] / 10, y[inside] / 10  # in centimetres, from the rim down to the bottom on the axis
+    held = np.abs(np.sum(np.diff(h) * (r[1:] ** 2 + r[1:] * r[:-1] + r[:-1] ** 2))) * pi / 3
+    assert 205 <= held <= 225
+
+
+def test_pipe_elbow_has_the_measures_of_its_standard():
+    """ASME B16.9 and B36.10, in millimetres: its ends 76 from their corner, 60.3 across; metal as Pappus says."""
+    shape = presets.shape("pipe_elbow")
+    x, y, z = size("pipe_elbow")
+    assert y == pytest.approx(60.3, rel=1e-3) and x == z == pytest.approx(76 + 60.3 / 2, rel=1e-3)
+    metal = pi * (30.15**2 - 26.24**2) * 76 * pi / 2
+    assert 1e9 * shape.mesh().volume() == pytest.approx(metal, rel=3e-3)
+
+
+def test_auger_rises_by_its_diameter_in_each_turn():
+    """CEMA 350: a standard pitch is the diameter."""
+    shape = presets.shape("auger")
+    across, _, high = size("auger")
+    assert across == pytest.approx(150, rel=1e-3) and high == pytest.approx(5 * 150 + 5) and shape.pitch == 0.15
+
+
 def test_cable_is_three_cores_of_the_size_of_h05v_k():
     """EN 50525-2-31: insulation of 0.6 mm, at most 2.8 mm across; three circles that touch reach 2.155 of theirs."""
     section = presets.shape("cable").contour.section()

@@ -64,6 +64,7 @@ class RotationalSweep:
         (0.0, 0.0), "A point of the axis, in the contour's plane", unit="length", group="Axis"
     )
     axis_direction: tuple[float, float] = parameter((0.0, 1.0), "Where the axis runs", group="Axis")
+    upright: bool = parameter(False, "Stand the contour's plane upright, its y axis along z", group="Axis")
     crossing: Crossing = parameter(Crossing.REFUSE, "What becomes of a contour that crosses the axis", group="Axis")
     start: Cap = parameter(Flat(), "What closes the start", group="Ends")
     end: Cap = parameter(Flat(), "What closes the end", group="Ends")
@@ -233,7 +234,8 @@ class RotationalSweep:
         wider = sqrt(step / sin(step)) if self.fit is Fit.AREA_TRUE else 1.0  # sectors as large as those of a circle
         radial = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * down
         place = np.append(self.axis_point, 0.0) + (self.pitch / tau * turns)[:, None] * along
-        return np.stack((place, wider * radial, np.broadcast_to(along, place.shape)))
+        rings = np.stack((place, wider * radial, np.broadcast_to(along, place.shape)))
+        return rings[..., [0, 2, 1]] * (1, -1, 1) if self.upright else rings
 
     def frames(self, most=100):
         """The frames and contours at the stations, or at places spread evenly among them.

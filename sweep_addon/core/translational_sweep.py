@@ -232,7 +232,7 @@ class TranslationalSweep:
         steepest = max(slopes.tolist(), key=abs)
         key = "tapers" if len(self.tapers) else "taper" if abs(tan(self.taper)) == abs(steepest) else "hole_taper"
         most = atan(abs(steepest) * reached / height)
-        most = f"must be at most {most:.9g} ({degrees(most):.6g} degrees) in size"
+        most = f"must be less than {most:.9g} ({degrees(most):.6g} degrees) in size"
         return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(atan(steepest))}", key)
 
     def laid(self, section, moves, heights):

@@ -136,9 +136,9 @@ LARGEST = {  # contour, height: the largest inward distance before edges meet
 def test_refusal_tells_the_largest_angle(name):
     contour, distance = LARGEST[name]
     shape = dict(contour=contour, height=2.0)
-    with pytest.raises(ShapeError, match=r"^taper: must be at most ") as caught:
+    with pytest.raises(ShapeError, match=r"^taper: must be less than ") as caught:
         TranslationalSweep(**shape, taper=1.2, hole_taper=1.2).mesh()
-    told = float(re.search(r"at most ([\d.]+)", str(caught.value))[1])
+    told = float(re.search(r"less than ([\d.]+)", str(caught.value))[1])
     assert told == pytest.approx(atan(distance / 2.0), rel=1e-6)
     below = 0.99 * told
     holes = len(contour.section().areas) - 1
@@ -150,7 +150,7 @@ def test_outward_draft_is_refused_where_a_hollow_corner_closes():
     notched = Outline([[(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]])
     with pytest.raises(ShapeError) as caught:
         TranslationalSweep(notched, 1.0, taper=-0.6).mesh()
-    told = float(re.search(r"at most ([\d.]+)", str(caught.value))[1])
+    told = float(re.search(r"less than ([\d.]+)", str(caught.value))[1])
     assert told == pytest.approx(atan(0.5), rel=1e-6)
     assert str(caught.value).endswith(", got -0.6")
 
