@@ -21,6 +21,7 @@ from .joining import joined
 from .mesh import Mesh, require_few
 from .parameters import ShapeError, angle, declared, parameter, require
 from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
+from .self_intersection.folds import PREFIX
 from .welding import finished, welded
 
 ATTRIBUTES = "UVs and Attributes"
@@ -181,7 +182,7 @@ class RotationalSweep:
         if not (self.pitch or section.points[:, 0].any()):
             return in_plane.flat(section, rings[:, 0], self.texture, self.attributes, dtype)
         if all(parting.sides(section)):
-            told = ("Contour: it crosses the axis, and the sweep passes through itself there.",)
+            told = (f"{PREFIX}the contour crosses the axis, and the sweep passes through itself there.",)
         rings[1] *= side
         poles = () if self.pitch else np.flatnonzero(section.points[:, 0] == 0).tolist()
         grid = Grid(

@@ -10,6 +10,7 @@ from mathutils.bvhtree import BVHTree
 from scenes import add, curve, extent, parameters_of, select, straight, sweep
 
 import sweep_addon as sw
+from sweep_addon.bridge import objects
 
 WASHER = sw.contours.Outline(loops=[[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.5, -0.5), (0.5, -0.5), (0, 0.5)]])
 TRAJECTORIES = {
@@ -84,6 +85,29 @@ def test_contour_as_curve_keeps_the_surface_in_its_place(place, contour):
     assert bpy.ops.object.sweep_edit_as_curve(parameter="contour") == {"FINISHED"}
     assert parameters_of(ob).contour == "OBJECT" and ob.data.sweep.error == ""
     assert apart(before, surface(ob)) < 1e-5 * max(ob.dimensions)
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        sw.TranslationalSweep(WASHER, taper=0.1),
+        sw.TranslationalSweep(sw.contours.Outline([[(0, 0), (1, 0), (1, 1)]], closed=False)),
+        sw.RotationalSweep(),
+    ],
+    ids=["frustum", "sheet", "pulley"],
+)
+def test_contour_of_a_shape_without_a_path_becomes_the_curve_that_carries_it(place, shape):
+    ob = place(sw.to_object(shape))
+    before, parent = surface(ob), ob.parent
+    assert bpy.ops.object.sweep_edit_as_curve(parameter="contour") == {"FINISHED"}
+    _, group = objects.group_of(ob.data)
+    assert ob.parent == group.contour_object and ob.parent.parent == parent and ob.data.sweep.error == ""
+    assert apart(before, surface(ob)) < 1e-5 * max(ob.dimensions)
+    select(ob)
+    with pytest.raises(RuntimeError, match="The contour is the object '.*' already: edit that"):
+        bpy.ops.object.sweep_edit_as_curve(parameter="contour")
+    with pytest.raises(RuntimeError, match="sweep has no trajectory"):
+        bpy.ops.object.sweep_edit_as_curve(parameter="trajectory")
 
 
 def test_curves_are_followed_once_they_are_edited(scene):

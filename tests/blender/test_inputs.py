@@ -7,6 +7,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
+from mathutils import Matrix
 from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text
 
 import sweep_addon as sw
@@ -148,6 +149,44 @@ def test_text_is_a_contour_and_is_followed(scene):
 def test_contour_that_is_not_cyclic_is_closed(scene):
     ob = sweep(contour=curve("POLY", [(0, 0, 0), (1, 0, 0), (1, 1, 0)]))
     assert len(ob.data.vertices) == 6 and extent(ob) == pytest.approx((1, 1, 2))
+
+
+def turned(contour, **given):
+    """A rotational sweep of a contour object."""
+    shape = sw.RotationalSweep(**given)
+    ob = add("turned", objects.new_mesh(shape, contour=contour))
+    objects.attach(ob, contour)
+    update()
+    return ob
+
+
+def test_profile_of_a_turn_is_followed_in_its_own_space(scene):
+    """A curve that is not cyclic stays open; what moves and scales it moves and scales the sweep, once."""
+    profile = curve("POLY", [(0, 0, 0), (1, 0, 0), (1, 2, 0)])
+    ob = turned(profile)
+    assert ob.parent == profile and extent(ob)[1] == 2 and ob.data.sweep.error == ""
+    rings, poles = ob.data.sweep.rings, 1
+    assert len(ob.data.vertices) == 2 * rings + poles
+    profile.scale, profile.location = (3, 3, 3), (7, 0, 0)
+    update()
+    assert extent(ob)[1] == 2 and ob.dimensions[1] == pytest.approx(6) and ob.matrix_world.translation.x == 7
+    profile.data.splines[0].points[2].co.y = 4
+    update()
+    assert extent(ob)[1] == 4
+
+
+def test_profile_across_the_axis_keeps_the_mesh_and_says_so(scene):
+    profile = square()
+    profile.data.transform(Matrix.Translation((2, 0, 0)))
+    ob = turned(profile)
+    before = len(ob.data.vertices)
+    profile.data.transform(Matrix.Translation((-2, 0, 0)))
+    update()
+    assert ob.data.sweep.error.startswith("contour: must be on one side of the axis")
+    assert len(ob.data.vertices) == before
+    ob.data.sweep.rotational_sweep.crossing = "SPLIT"
+    rings = ob.data.sweep.rings  # of both bodies
+    assert ob.data.sweep.error == "" and len(ob.data.vertices) == 2 * rings + 2 * 2
 
 
 def test_removed_curve_keeps_the_mesh_and_says_so(scene):

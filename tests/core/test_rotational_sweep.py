@@ -139,7 +139,7 @@ def test_kept_spindle_is_one_surface_through_itself(angle):
     assert (section.points[:, 0] == 0).sum() == 2
     expected = pappus(section, angle) * chords(angle, 40 if angle == tau else 39)
     assert mesh.volume() == pytest.approx(expected, **CLOSE)
-    assert mesh.told == ("Contour: it crosses the axis, and the sweep passes through itself there.",)
+    assert mesh.told == ("Self-intersection: the contour crosses the axis, and the sweep passes through itself there.",)
     assert_solid(mesh, 2)
 
 
@@ -318,3 +318,33 @@ def test_rectangle_across_the_axis_is_told_how_far_it_reaches():
         match=r"^contour: must be on one side of the axis, or crossing be .* or meet, got one from -1\.5 to 0\.5 m",
     ):
         RotationalSweep(Rectangle(2, 1), axis_point=(0.5, 0)).mesh()
+
+
+@pytest.mark.parametrize("angle", [3 * tau, -3 * tau, 2 * tau])
+def test_turns_of_a_screw_meet_where_its_pitch_is_less_than_it_is_high(angle):
+    """And not where another turn never comes to the same side."""
+    met = RotationalSweep(RING, angle, 0.999).self_intersections()
+    assert [place.kind for place in met] == ["global"] and met[0].parameters[1] == (np.sign(angle) * tau, angle)
+    assert 1 <= hypot(met[0].point[0], met[0].point[2]) <= 2
+    assert len(RotationalSweep(RING, angle, 1.001).self_intersections()) == 0
+    assert len(RotationalSweep(RING, 0.99 * tau, 0.5).self_intersections()) == 0
+
+
+def test_arms_of_a_helicoid_meet_after_half_a_turn():
+    """A slanting line across the axis, mirrored and half a pitch higher: they meet where the line has risen so far."""
+    slope = 0.2
+    line = Outline([[(-1, -slope), (1, slope)]], closed=False)
+    for pitch, meets in ((4 * slope * 0.99, 1), (4 * slope * 1.01, 0)):
+        shape = RotationalSweep(line, tau, pitch, crossing="keep", samples=Count(20))
+        assert len(shape.self_intersections()) == meets
+
+
+@pytest.mark.parametrize(
+    ("angle", "crossing", "places"), [(tau, "keep", 1), (1.0, "keep", 1), (tau, "split", 1), (3.0, "split", 0)]
+)
+def test_contour_across_the_axis_meets_itself_there(angle, crossing, places):
+    shape = RotationalSweep(Circle(0.5), angle, axis_point=(-0.3, 0.0), crossing=crossing)
+    found = shape.self_intersections()
+    assert len(found) == places
+    assert all(place.point[0] == -0.3 and place.point[2] == 0 for place in found)
+    assert len(RotationalSweep().self_intersections()) == 0
