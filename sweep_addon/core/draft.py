@@ -3,13 +3,48 @@
 """Draft: the edges of a section moved inwards, each parallel to itself, as the sides of a casting lean."""
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
 from .contours.crossing import crossings
+from .frozen import individual
 
 ALIKE = 1e-6  # of a height: single precision, which Blender keeps, tells no less apart
 HALVINGS = 32  # of the way to a height at which edges meet
+
+
+@individual
+class Draft:
+    """A section drafted to two heights, those of its ends.
+
+    Parameters
+    ----------
+    moves : (m, 2) float array
+        How far each point goes in a metre of height.
+    ends : tuple of two Section
+        The section at the ends.
+    reached : tuple of two float
+        The heights up to which it stays one, on the way to each end.
+    points : tuple of two bool
+        Whether it is a point there.
+    """
+
+    moves: np.ndarray
+    ends: tuple
+    reached: tuple
+    points: tuple
+
+
+@lru_cache(maxsize=16)
+def draft(section, slopes, heights):
+    """A section drafted to two heights by the tangent of the angle of each loop: a `Draft`, kept for equal ones."""
+    slopes = np.array(slopes)
+    if not slopes.any():
+        return Draft(np.zeros_like(section.points), (section, section), (np.inf, np.inf), (False, False))
+    moves = mitres(section) * slopes[section.loop_of, None]
+    reached, points = zip(*(reachable(section, moves, height) for height in heights), strict=True)
+    return Draft(moves, tuple(drafted(section, moves, height) for height in heights), reached, points)
 
 
 def mitres(section):

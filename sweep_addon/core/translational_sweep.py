@@ -12,7 +12,7 @@ import numpy as np
 from . import caps, in_plane
 from .chart import Chart, Texture, lengths_around
 from .contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
-from .draft import ALIKE, drafted, mitres, reachable
+from .draft import ALIKE, draft
 from .drawn import affine, drawn
 from .ends import Cap, Flat
 from .frames import Frames
@@ -134,7 +134,8 @@ class TranslationalSweep:
             return in_plane.flat(section, PLANE, self.texture, self.attributes, dtype)
         heights = self.heights()
         require_few(len(heights) * len(section.points), "steps")
-        moves, points = self.drafts(section, heights)
+        drafted = self.drafted(section, heights)
+        moves, points = drafted.moves, drafted.points
         s = (heights - heights[0]) / self.upright
         grid = Grid(
             rings=len(heights),
@@ -143,10 +144,10 @@ class TranslationalSweep:
             creases=tuple(np.flatnonzero(heights == 0).tolist()) if moves.any() and heights[0] < 0 else (),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=caps.at_ends((section, section), (self.start, self.end), points),
+            caps=caps.at_ends(drafted.ends, (self.start, self.end), points),
             gaps=tuple(section.gaps.tolist()),
         )
-        flat = tuple(drafted(section, moves, abs(height)).points for height in heights[[0, -1]])
+        flat = tuple(end.points for end in drafted.ends)
         around = lengths_around(section, np.ones(2))
         chart = Chart(grid, s / s[-1], s, s[-1], around, flat, self.texture, self.attributes)
         return Mesh(drawn(grid, *self.laid(section, moves, heights), dtype), grid.topology(), chart)
@@ -212,20 +213,16 @@ class TranslationalSweep:
             return np.tan(self.tapers.values)
         return np.where(section.areas >= 0, tan(self.taper), tan(self.hole_taper))
 
-    def drafts(self, section, heights):
-        """How far each point goes inwards in a metre of height, (m, 2), and whether the ends are points."""
-        slopes = self.slopes(section)
-        if not slopes.any():
-            return np.zeros_like(section.points), (False, False)
-        require(section.closed, "must be 0 where the contour is open, which has no inside", atan(slopes[0]), "taper")
-        moves = mitres(section) * slopes[section.loop_of, None]
-        points = []
-        for height in np.abs(heights[[0, -1]]).tolist():
-            reached, point = reachable(section, moves, height)
+    def drafted(self, section, heights):
+        """The section drafted to its ends: a `Draft`; refused where it does not reach them."""
+        slopes, ends = self.slopes(section), np.abs(heights[[0, -1]]).tolist()
+        slope, no_inside = float(slopes[0]), "must be 0 where the contour is open, which has no inside"
+        require(section.closed or not slope, no_inside, atan(slope), "taper")
+        found = draft(section, tuple(slopes.tolist()), tuple(ends))
+        for height, reached, point in zip(ends, found.reached, found.points, strict=True):
             if height > reached * (1 + ALIKE if point else 1):
                 raise self.refusal(slopes, height, reached)
-            points.append(point)
-        return moves, tuple(points)
+        return found
 
     def refusal(self, slopes, height, reached):
         """What is said of a taper whose edges meet before the height: the largest angle."""
@@ -267,7 +264,7 @@ class TranslationalSweep:
         sections, heights, loops = self.sections(), self.heights(), []
         heights = heights[np.unique(np.linspace(0, len(heights) - 1, min(most, len(heights))).round().astype(int))]
         for section in sections:
-            moves, _ = self.drafts(section, heights)
+            moves = self.drafted(section, heights).moves
             weights, rings = self.laid(section, moves, heights)
             loops += np.split(np.einsum("mk,kni->nmi", weights, rings), section.offsets[1:-1], axis=1)
         s = (heights - heights[0]) / self.upright

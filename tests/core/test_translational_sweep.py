@@ -33,6 +33,16 @@ def steiner(section, heights, slopes):
     return whole
 
 
+def assert_caps_cover(mesh, section, heights, slopes):
+    """All faces of the caps look out, and together they are as large as the drafted contour: none lies over another."""
+    up = mesh.normals[mesh.topology.material == CAP, 2]
+    bends = np.add.reduceat(np.tan(section.turns / 2), section.offsets[:-1])
+    ends = [heights[0], heights[1] if len(heights) > 1 else 0.0]
+    areas = [(section.areas - section.perimeters * h * slopes + bends * (h * slopes) ** 2).sum() for h in ends]
+    assert np.abs(up).min() > 0
+    assert [up[up > 0].sum(), -up[up < 0].sum()] == pytest.approx(areas, rel=1e-9)
+
+
 def star(random, centre, reach, points):
     """A random loop that its centre sees all of, (n, 2)."""
     angle = 2 * pi * (np.arange(points) + random.uniform(-0.3, 0.3, points)) / points
@@ -197,6 +207,7 @@ def test_a_thousand_random_prisms_are_solids():
         ).mesh()
         assert_solid(mesh, sum(2 - 2 * h for h in holes))
         heights = {"up": [1.0], "symmetric": [0.5, 0.5], "both": [1.0, 0.7]}[directions]
+        assert_caps_cover(mesh, section, heights, slopes)
         assert mesh.volume() == pytest.approx(steiner(section, heights, slopes), rel=1e-10)
 
 
