@@ -104,7 +104,7 @@ def test_auger_rises_by_its_diameter_in_each_turn():
     """CEMA 350: a standard pitch is the diameter."""
     shape = presets.shape("auger")
     across, _, high = size("auger")
-    assert across == pytest.approx(150, rel=1e-3) and high == pytest.approx(5 * 150 + 5) and shape.pitch == 0.15
+    assert across == pytest.approx(150, rel=1e-3) and high == pytest.approx(3 * 150 + 5) and shape.pitch == 0.15
 
 
 def test_cable_is_three_cores_of_the_size_of_h05v_k():
@@ -200,5 +200,5 @@ def test_duct_has_the_openings_of_en_1505_and_en_1506_and_one_sheet():
 
 
 def test_a_preset_that_is_none_is_refused_with_the_nearest():
-    with pytest.raises(ShapeError, match="^preset: must be one of cable, .*, got 'hoose': did you mean 'hose'\\?$"):
+    with pytest.raises(ShapeError, match="^preset: must be one of auger, .*, got 'hoose': did you mean 'hose'\\?$"):
         presets.shape("hoose")
