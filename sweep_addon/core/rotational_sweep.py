@@ -183,7 +183,7 @@ class RotationalSweep:
             return in_plane.flat(section, rings[:, 0], self.texture, self.attributes, dtype)
         if all(parting.sides(section)):
             told = (f"{PREFIX}the contour crosses the axis, and the sweep passes through itself there.",)
-        rings[1] *= side
+        rings[1] *= side * self.wider(len(turns) - (not self.closed))
         poles = () if self.pitch else np.flatnonzero(section.points[:, 0] == 0).tolist()
         grid = Grid(
             rings=len(turns),
@@ -231,12 +231,15 @@ class RotationalSweep:
         """The place of the axis' point at each turn, and the axes across and along it: (3, n, 3) float array."""
         along = np.append(self.axis_direction, 0.0) / np.hypot(*self.axis_direction)
         across, down = np.array((along[1], -along[0], 0.0)), np.array((0.0, 0.0, -1.0))
-        step = abs(self.turn) / (len(turns) - (not self.closed))
-        wider = sqrt(step / sin(step)) if self.fit is Fit.AREA_TRUE else 1.0  # sectors as large as those of a circle
         radial = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * down
         place = np.append(self.axis_point, 0.0) + (self.pitch / tau * turns)[:, None] * along
-        rings = np.stack((place, wider * radial, np.broadcast_to(along, place.shape)))
+        rings = np.stack((place, radial, np.broadcast_to(along, place.shape)))
         return rings[..., [0, 2, 1]] * (1, -1, 1) if self.upright else rings
+
+    def wider(self, steps):
+        """By what the contour's distance from the axis grows so that sectors are as large as those of a circle."""
+        step = abs(self.turn) / steps
+        return sqrt(step / sin(step)) if self.fit is Fit.AREA_TRUE else 1.0
 
     def frames(self, most=100):
         """The frames and contours at the stations, or at places spread evenly among them.
@@ -261,7 +264,7 @@ class RotationalSweep:
         sections = self.sections()
         turns = self.turns(sections)
         turns = turns[np.unique(np.linspace(0, len(turns) - 1, min(most, len(turns))).round().astype(int))]
-        rings = replace(self, fit=Fit.INSCRIBED).rings(turns)
+        rings = self.rings(turns)
         contours = (np.einsum("mk,kni->nmi", affine(each.points), rings) for each in sections)
         loops = (np.split(c, each.offsets[1:-1], axis=1) for c, each in zip(contours, sections, strict=True))
         x, y = sections[0].centroid

@@ -15,21 +15,25 @@ from .places import Place, Places
 def of_rotation(shape):
     """The places where a rotational sweep meets itself: `Places`."""
     sections = shape.sections()
-    axis = np.append(shape.axis_point, 0.0)
-    across = [both_sides(shape.turn, axis) for section in sections if all(sides(section))]
     if not shape.pitch:
-        return Places(across, lambda: 0.0 if across else np.inf)
+        left, right = (any(there) for there in zip(*map(sides, sections), strict=True))
+        kept = any(all(sides(section)) for section in sections)
+        through = kept or left and right and abs(shape.turn) > np.pi  # in half a turn the sides change places
+        return Places([both_sides(shape, sections[0])] if through else (), lambda: 0.0 if through else np.inf)
     turns = shape.turns(sections)
     lattices = [lattice_of(shape, section, turns) for section in sections if section.edge_lengths.any()]
-    places = [*across, *(place for lattice in lattices for place in meetings(lattice, ()))]
+    places = [place for lattice in lattices for place in meetings(lattice, ())]
     return Places(places, lambda: min((largest(lattice, np.inf, not places) for lattice in lattices), default=np.inf))
 
 
-def both_sides(turn, point):
-    """The place of a contour that crosses the axis."""
-    stretch = between(0.0, turn, sorted((0.0, turn)))
+def both_sides(shape, section):
+    """The place of a contour on both sides of the axis: where it crosses that."""
+    stretch = between(0.0, shape.turn, sorted((0.0, shape.turn)))
+    place, _, along = shape.rings(np.zeros(1))[:, 0]
+    x, y = section.points.T
+    point = place + y[np.abs(x).argmin()] * along
     said = f"from {stretch} the contour is on both sides of the axis, and passes through it."
-    return Place("local", ((0.0, float(turn)),), tuple(point.tolist()), said)
+    return Place("local", ((0.0, float(shape.turn)),), tuple(point.tolist()), said)
 
 
 def lattice_of(shape, section, turns):
