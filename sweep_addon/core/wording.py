@@ -44,7 +44,7 @@ def near(u, start, end):
     >>> near(-6.561e-14, 0.0, 1.0), near(1570.796, 0.0, 6283.2), near(0.15652, -2.6, 2.6)
     ('0', '1571', '0.157')
     """
-    return f"{round(float(u), 3 - floor(log10(end - start))) + 0.0:.9g}"
+    return f"{round(float(u), 3 - floor(log10(abs(end - start)))) + 0.0:.9g}"
 
 
 def named(key):
