@@ -116,8 +116,13 @@ def draw_self_intersections(layout, sweep, say):
     found = [sentence for sentence in sweep.told.split("\n") if sentence.startswith(PREFIX)]
     if sweep.looked_at == sweep.made:
         found = sweep.places.split("\n") if sweep.places else []
-    for sentence in found:
-        say(layout, sentence, "ERROR" if sentence.startswith(PREFIX) else "BLANK1")
+    places = [sentence for sentence in found if sentence.startswith(PREFIX)]
+    for sentence in places[:1]:
+        say(layout, sentence, "ERROR")
+    if len(places) > 1:
+        say(layout, "There are more places.", "BLANK1")
+    for sentence in found[len(places) :]:
+        say(layout, sentence, "BLANK1")
     if found:
         layout.operator("object.sweep_select_self_intersections", icon="RESTRICT_SELECT_OFF")
     else:

@@ -44,7 +44,7 @@ def sidebar(person):
         yield from person.click(*person.top(*place))
         assert words in bpy.context.window_manager.clipboard
 
-    yield from person.drag(*person.top(*RADIUS), right=40)
+    yield from person.drag(*person.top(*RADIUS), right=12)  # a thicker coil meets itself, which the sidebar says
     dragged = wire_radius(mesh)
     assert dragged > 0.11 and close(dragged, mesh.sweep.generalized_cylinder.contour_circle_radius)
     yield from person.picture("4-dragged")
