@@ -22,7 +22,8 @@ def save_blend(path):
 def save_glb(path):
     import bpy
 
-    bpy.ops.export_scene.gltf(filepath=path, export_format="GLB", use_selection=True, export_apply=True)
+    loose = {"use_mesh_edges": True, "use_mesh_vertices": True}  # of a sweep of mixed dimension
+    bpy.ops.export_scene.gltf(filepath=path, export_format="GLB", use_selection=True, export_apply=True, **loose)
 
 
 def save_stl(path):

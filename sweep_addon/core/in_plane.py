@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A sweep within the plane of its generator: again a planar set, of areas and, from edges along the way, of edges."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from . import caps
@@ -38,8 +40,11 @@ def swept(sections, low, high):
     (1.0, [[1.0, 1.0], [3.0, 1.0]])
     """
     loops, figures, curves = [], [], []
-    size = max(section.size for section in sections)
-    for section in sections:
+    size, distance = max(section.size for section in sections), float(np.hypot(*(high - low)))
+    x, y = (high - low) / distance
+    level = np.array(((x, -y), (y, x)))  # turns the way onto the x axis, where its sides are level with few others
+    low, high = low @ level, high @ level
+    for section in (replace(section, points=section.points @ level) for section in sections):
         if section.closed:
             for figure, place in enumerate((low, high)):
                 loops += np.split(section.points + place, section.offsets[1:-1])
@@ -48,17 +53,17 @@ def swept(sections, low, high):
         edge = np.ones(len(start), dtype=bool)
         edge[section.gaps] = np.diff(section.offsets)[: len(section.gaps)] == 1  # a point is an edge of no length
         start, end = start[edge], end[edge]
-        (x, y), (across, up) = (end - start).T, high - low
-        turn = x * up - y * across
-        along = np.abs(turn) <= COINCIDENT * size * np.hypot(*(high - low))
+        rise = (end - start)[:, 1]
+        along = np.abs(rise) <= COINCIDENT * size
         ends = np.stack((start + low, end + low, end + high, start + high), axis=1)[~along]
-        ends[turn[~along] < 0] = ends[turn[~along] < 0, ::-1]
+        ends[rise[~along] > 0] = ends[rise[~along] > 0, ::-1]
         loops += list(ends)
         figures += [2] * len(ends)
-        back = ((end - start)[along] @ (high - low) < 0)[:, None]
+        back = (end[along, 0] < start[along, 0])[:, None]
         first, last = np.where(back, end[along], start[along]), np.where(back, start[along], end[along])
         curves += list(np.stack((first + low, last + high), axis=1))
-    return united(loops, np.array(figures, dtype=int), np.array([True, True, False]), curves, np.zeros((0, 2)))
+    found = united(loops, np.array(figures, dtype=int), np.array([True, True, False]), curves, np.zeros((0, 2)))
+    return tuple(section and replace(section, points=section.points @ level.T) for section in found)
 
 
 def flat(section, ring, texture, named, dtype):

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
+from sweep_addon import presets
 from sweep_addon.batch import verbs
 from sweep_addon.batch.command import main
 
@@ -203,6 +204,18 @@ def test_models_hold_the_shape(scene, job, capfd):
     assert np.allclose(high_glb, high[[0, 2, 1]], atol=1e-5)
     assert len(document["materials"]) == 2 and len(document["nodes"]) == 1
     assert f"element vertex {len(mesh.vertices)}" in built(job, ".ply", capfd)[:2000].decode("latin-1")
+
+
+def test_models_hold_loose_edges_and_points(scene, tmp_path, capfd):
+    """Of an area, a dangling edge and two points turned in part: 42 edges of the one, the other where it was."""
+    job = tmp_path / "mixed.toml"
+    job.write_bytes(presets.PATHS["mixed_dimension_every_dimension"].read_bytes())
+    *_, document = glb_bounds(built(job, ".glb", capfd))
+    primitives = {each.get("mode", 4): each for mesh in document["meshes"] for each in mesh["primitives"]}
+    lines, points = primitives[1]["indices"], primitives[0]["attributes"]["POSITION"]
+    assert document["accessors"][lines]["count"] == 2 * 42 and document["accessors"][points]["count"] == 1
+    assert built(job, ".obj", capfd).count(b"\nl ") == 42
+    assert b"element edge 42\n" in built(job, ".ply", capfd)
 
 
 def test_a_blend_file_holds_the_scene(scene, job, capfd):

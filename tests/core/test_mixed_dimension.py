@@ -98,6 +98,12 @@ def test_cones_meet_in_the_singular_point_on_the_axis():
     assert len(mesh.boundary_edges()) == 2 * 64
 
 
+def test_bodies_that_meet_at_the_axis_do_not_cross_unless_they_turn_through_each_other():
+    for name in ("singular_point", "non_manifold_edge"):
+        assert not preset(name).self_intersections()
+    assert RotationalSweep(Rectangle(2, 1), 4.0, crossing="meet").self_intersections()
+
+
 def test_wedges_meet_in_the_edge_on_the_axis():
     """(f): an edge of four faces, along the whole height."""
     mesh = preset("non_manifold_edge").mesh()

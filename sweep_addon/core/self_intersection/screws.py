@@ -16,14 +16,19 @@ def of_rotation(shape):
     """The places where a rotational sweep meets itself: `Places`."""
     sections = shape.sections()
     if not shape.pitch:
-        left, right = (any(there) for there in zip(*map(sides, sections), strict=True))
         kept = any(all(sides(section)) for section in sections)
-        through = kept or left and right and abs(shape.turn) > np.pi  # in half a turn the sides change places
+        through = kept or abs(shape.turn) > np.pi and level(sections)  # in half a turn the sides change places
         return Places([both_sides(shape, sections[0])] if through else (), lambda: 0.0 if through else np.inf)
     turns = shape.turns(sections)
     lattices = [lattice_of(shape, section, turns) for section in sections if section.edge_lengths.any()]
     places = [place for lattice in lattices for place in meetings(lattice, ())]
     return Places(places, lambda: min((largest(lattice, np.inf, not places) for lattice in lattices), default=np.inf))
+
+
+def level(sections):
+    """Whether some sections, each on one side of the axis, are beside others on its other side."""
+    left, right = ([section.points[:, 1] for section in sections if sides(section)[side]] for side in (0, 1))
+    return bool(left and right) and any(max(a.min(), b.min()) < min(a.max(), b.max()) for a in left for b in right)
 
 
 def both_sides(shape, section):
