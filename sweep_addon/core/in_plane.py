@@ -9,7 +9,6 @@ import numpy as np
 from . import caps
 from .chart import Chart, lengths_around
 from .contours.loops import COINCIDENT
-from .contours.planar import united
 from .drawn import affine, drawn
 from .grid import Grid
 from .mesh import Mesh
@@ -39,6 +38,8 @@ def swept(sections, low, high):
     >>> areas.area, lines.points.tolist()
     (1.0, [[1.0, 1.0], [3.0, 1.0]])
     """
+    from .contours.planar import united  # few sweeps are within their plane
+
     loops, figures, curves = [], [], []
     size, distance = max(section.size for section in sections), float(np.hypot(*(high - low)))
     x, y = (high - low) / distance

@@ -68,10 +68,12 @@ def united(loops, figure, even_odd, curves, points):
     )
     forth, back = left & ~right, right & ~left
     areas = traced(grid, np.concatenate((low[forth], high[back])), np.concatenate((high[forth], low[back])))
-    kept = ~(left | right)[piece]
-    kept[: len(start)] &= ~of_loop & first_of(piece[: len(start)])
-    alone = kept[len(start) :] & first_of(piece[len(start) :]) & ~met(places, start, end)
-    return areas, chained(grid, start, end, source, kept[: len(start)], places[alone])
+    filled = (left | right)[piece]
+    of_area, in_area = filled[: len(start)], filled[len(start) :]
+    kept = once(piece[: len(start)], ~of_loop & ~of_area)
+    shown = kept | of_area
+    alone = once(piece[len(start) :], ~in_area & ~met(places, start[shown], end[shown]))
+    return areas, chained(grid, start, end, source, kept, places[alone])
 
 
 class Nodes:
@@ -131,10 +133,11 @@ def split_near(start, end, source, nodes):
     return start, end, source[edge]
 
 
-def first_of(numbers):
-    """(n,) bool array: whether each number was not there before."""
+def once(numbers, which):
+    """(n,) bool array: of the numbers that bools (n,) choose, the first of each."""
+    which = np.flatnonzero(which)
     first = np.zeros(len(numbers), dtype=bool)
-    first[np.unique(numbers, return_index=True)[1]] = True
+    first[which[np.unique(numbers[which], return_index=True)[1]]] = True
     return first
 
 
