@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A morph in Blender is a list of contours, each of which may be an object; it is as live as all else."""
 
-import bpy
 import numpy as np
 import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
 from scenes import curve, places, text
 
 import sweep_addon as sw
