@@ -190,18 +190,14 @@ def test_outline_that_is_not_cyclic_is_closed_by_a_straight_line(scene):
     assert section.sharp.sum() == 2
 
 
-def test_outline_whose_splines_are_all_not_cyclic_stays_open_where_it_may(scene):
-    bent = [(0, 0, 0), (1, 0, 0), (1, 1, 0)]
-    lines = curve("POLY", bent, [(3, 0, 0), (4, 0, 0)])
-    section = curves.outline(lines, may_be_open=True).section()
-    assert not section.closed and section.perimeters.tolist() == [2, 1]
-    lines.data.splines[0].use_cyclic_u = True
-    with pytest.raises(ShapeError, match="loop 1 must have at least 3 different points, got 2"):
-        curves.outline(lines, may_be_open=True)  # closed with the other
-    assert curves.outline(text("I"), may_be_open=True).section().closed
-    lines = curve("POLY", bent)
+def test_contour_whose_splines_are_all_not_cyclic_stays_open(scene):
+    """And is scaled as its object is only where that does not carry the sweep."""
+    lines = curve("POLY", [(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(3, 0, 0), (4, 0, 0)])
     lines.scale = (2, 3, 4)
-    assert curves.outline(lines, scaled=False, may_be_open=True).section().perimeters.tolist() == [2]
+    section = curves.contour(lines, scaled=False).section()
+    assert not section.closed and section.perimeters.tolist() == [2, 1]
+    assert curves.contour(lines).section().perimeters.tolist() == [5, 2]
+    assert curves.contour(text("I")).section().closed
 
 
 def test_small_rounding_of_a_large_outline_is_no_corner(scene):
