@@ -199,6 +199,12 @@ def test_duct_has_the_openings_of_en_1505_and_en_1506_and_one_sheet():
     assert 1000 * np.ptp(square.points) - 400 == pytest.approx(1.8)
 
 
+def test_canoe_has_the_measures_of_one_of_sixteen_feet_and_ends_in_points():
+    vertices = presets.shape("canoe").mesh().vertices
+    assert 1000 * np.ptp(vertices, axis=0) == pytest.approx([16 * 304.8, 914, 600], rel=1e-3)
+    assert (vertices[:, 0] == vertices[:, 0].max()).sum() == (vertices[:, 0] == 0).sum() == 1
+
+
 def test_a_preset_that_is_none_is_refused_with_the_nearest():
     with pytest.raises(ShapeError, match="^preset: must be one of auger, .*, got 'hoose': did you mean 'hose'\\?$"):
         presets.shape("hoose")

@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Objects beside a trajectory that say where its contours point and what limits them, read in its space.
 
-A curve is the guide to which they point. Empties are arrows along their own z axes: one stands for itself and for the
-empties that are parented to it. As a limit an empty is a plane across its z axis.
+A curve is a rail, or the guide to which they point. Empties are arrows along their own z axes: one stands for itself
+and for the empties that are parented to it. As a limit an empty is a plane across its z axis.
 """
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -22,14 +24,14 @@ THIRDS = np.array([[1], [2], [3]]) / 3
 
 
 def value(ob, p, trajectory, path, number, depsgraph):
-    """The direction or the plane that an object stands for.
+    """The direction, the plane or the rail that an object stands for.
 
     Parameters
     ----------
     ob : bpy.types.Object
         A curve or an empty.
     p : Parameter
-        Its kinds say whether a plane or a direction is asked for.
+        Its kinds say which of them is asked for.
     trajectory : bpy.types.Object or None
         The trajectory, in whose space the value is.
     path : Trajectory
@@ -46,9 +48,11 @@ def value(ob, p, trajectory, path, number, depsgraph):
         return Plane(place[:3, 3].tolist(), place[:3, 2].tolist())
     if ob.type == "CURVE":
         splines = curves.trajectories(ob, depsgraph)
-        guide = chain(splines[number] if number < len(splines) else splines[0])
+        spline = splines[number] if number < len(splines) else splines[0]
         place = into @ world(ob, depsgraph)
-        return Guide(guide @ place[:3, :3].T + place[:3, 3])
+        if Bezier in p.kinds:
+            return replace(spline, points=spline.points.values @ place[:3, :3].T + place[:3, 3])
+        return Guide(chain(spline) @ place[:3, :3].T + place[:3, 3])
     arrows = [ob, *(child for child in ob.original.children if child.type == "EMPTY")]
     places = np.array([into @ world(arrow, depsgraph) for arrow in arrows])
     return Arrows.at_points(path, places[:, :3, 3], places[:, :3, 2])

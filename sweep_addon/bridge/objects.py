@@ -163,7 +163,7 @@ def shapes(mesh, depsgraph=None):
             if "FONT" in p.accepts:
                 read = curves.contour if Mixed in p.kinds else curves.outline
                 return read(ob, depsgraph, p.name != carrier(shape))
-            if "EMPTY" in p.accepts:
+            if p.name != "trajectory":
                 known = paths["trajectory"][number] if along else None
                 return beside.value(ob, p, along, known, number, depsgraph)
             if p.name not in paths:

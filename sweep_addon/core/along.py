@@ -41,6 +41,8 @@ class Along:
         A frame that turns about the tangent as the trajectory's places say: again only stations ask for it.
     change : Changing or None
         How the contour itself changes, which stands where another begins.
+    rails : Rails or None
+        What also scales and moves the contour, beside the laws.
     """
 
     trajectory: object
@@ -53,6 +55,7 @@ class Along:
     spin: float = 0.0
     frame: object = None
     change: object = None
+    rails: object = None
 
     @property
     def is_constant(self):
@@ -86,6 +89,11 @@ class Along:
         if self.trajectory.carries:
             radius, tilt = self.trajectory.carried(u)
             taper, values[2] = taper * radius, values[2] + tilt
+        guided = self.rails and self.rails.laws(self.trajectory, u, t)
+        if guided:
+            scale_x, scale_y, *offset = guided
+            values[0], values[1] = values[0] * scale_x, values[1] * scale_y
+            values[3:] = [law + more for law, more in zip(values[3:], offset, strict=True)]
         return values[0] * taper, values[1] * taper, *values[2:]
 
     def marks(self):
@@ -136,6 +144,8 @@ class Along:
     def scaled_by(self):
         """The keys of what changes the scales along e2 and e3: the laws, or where these do not, the path's radii."""
         laws = self.scale_x, self.scale_y
+        if self.rails:
+            return ("rails",) * 2
         radii = self.trajectory.carries and all(law.is_constant for law in laws)
         return ("trajectory.radii",) * 2 if radii else ("scale_x", "scale_y")
 

@@ -97,6 +97,10 @@ class Changing:
             weights[row, piece], weights[row, piece + 1] = before, after
         return np.concatenate(found, axis=1)
 
+    def at(self, t):
+        """The contour's points at parts of the way: (n,) to (n, m, 2)."""
+        return np.einsum("nk,mki->nmi", self.weights(t), self.shape.reshape(len(self.shape), -1, 2))
+
     def pieces(self, t):
         """Between which sections parts of the way lie, how far these are apart, and how far on it is: three (n,)."""
         t = np.clip(t, 0.0, 1.0)

@@ -24,6 +24,7 @@ from .laws import Law
 from .mesh import Mesh, require_few
 from .morph import AS_THICK, Blend, Match, Morph
 from .parameters import angle, at, declared, parameter, require
+from .rails import Guided, Rail, Rails
 from .sampling import Count, Sampling, Stations, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
 from .steps import mitred
@@ -111,6 +112,8 @@ class GeneralizedCylinder:
     morph: tuple[Morph, ...] = parameter((), "What the contour becomes on the way", most=100, group="Morph")
     match: Match = parameter(Match.BY_ARC_LENGTH, "Which points of the contours belong together", group="Morph")
     blend: Blend = parameter(Blend.LINEAR, "How one contour becomes the next", group="Morph")
+    rails: tuple[Rail, ...] = parameter((), "One turns the contour, two also set its width", most=2, group="Rails")
+    guided: Guided = parameter(Guided.EVENLY, "How two rails scale the contour", group="Rails")
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
@@ -173,7 +176,7 @@ class GeneralizedCylinder:
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
         along, symmetry, reach, told = self.laid_out(section, change, ends)
         stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
-        sectors = closing.sectors(self.frame, along, symmetry) if closed else 0
+        sectors = closing.sectors(along.rails or self.frame, along, symmetry) if closed else 0
         body = self.carried(section, along, stations, symmetry, tau * sectors / symmetry)
         true = body.ends if self.fit is Fit.INSCRIBED else (section_of(self.contour, Fit.INSCRIBED),) * 2
         domes = domes_of(ends, body, true, self.samples, self.fit)
@@ -181,7 +184,7 @@ class GeneralizedCylinder:
         require_few(vertices, "samples")
         rings, shape = body.rings, body.section.points
         if self.fit is Fit.CIRCUMSCRIBED:
-            true = halfway(stations, self.frame, along, symmetry)
+            true = halfway(stations, along.rails or self.frame, along, symmetry)
             least = np.where(body.tips, 0.0, np.abs(body.scales).min(axis=1))
             rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry)
         rings, points, u, s = with_domes(domes, stations, rings, body)
@@ -222,6 +225,8 @@ class GeneralizedCylinder:
         The reach is that of the section's farthest point from the reference point, in metres, before any scale.
         """
         told, reach = change.told if change else (), farthest(section, change)
+        if self.rails and self.frame != RotationMinimizing():
+            told += ("Frame: the rails turn the contour, and no frame.",)
         if self.trajectory.closed and any(isinstance(end, (Taper, Round)) for end in (self.start, self.end)):
             told += ("Ends: a closed trajectory has none, so nothing tapers and nothing is round.",)
         along, symmetry = self.along(section, change, ends)
@@ -232,7 +237,7 @@ class GeneralizedCylinder:
         """The section carried by the frame to every station: a `Body`; it meets itself turned by that angle."""
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         points, mirrored = tips(scale_x, scale_y, along.largest, stations.closed, along.scaled_by)
-        e2, e3, told = axes(self.frame, stations, twist, symmetry)
+        e2, e3, told = axes(along.rails or self.frame, stations, twist, symmetry)
         rings = across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None]
         change, centroid = along.change, section.centroid
         if change:
@@ -282,7 +287,7 @@ class GeneralizedCylinder:
         steps = arc_length(along.trajectory).total / max(reach * along.largest, ROUNDING)
         stations = place(along.trajectory, Count(int(np.clip(steps + (not closed), 2, most))))
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
-        e2, e3, _ = axes(self.frame, stations, twist, symmetry)
+        e2, e3, _ = axes(along.rails or self.frame, stations, twist, symmetry)
         rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
         shown = np.unique(np.linspace(0, len(stations.s) - 1, min(most, len(stations.s))).round().astype(int))
         rings, shape = rings[:, shown], section.points
@@ -299,6 +304,9 @@ class GeneralizedCylinder:
             arc_length(self.trajectory)
         laws = (self.scale_x, self.scale_y, self.twist, self.offset_x, self.offset_y)
         along = Along(self.trajectory, *laws, tapers(*ends))
+        if self.rails:
+            rails = Rails(tuple(rail.path for rail in self.rails), self.guided, section, change)
+            return replace(along, frame=rails, change=change, rails=rails), 1
         turns = change is None and (self.trajectory.closed or self.frame.extra_sectors)
         symmetry = along.symmetry(section) if turns else 1
         placed = None if isinstance(self.frame, RotationMinimizing) else self.frame

@@ -272,6 +272,8 @@ def coerce_items(p, value):
             if isinstance(item, (list, tuple)):
                 require(len(item) <= len(declared), f"must have at most {len(declared)} values", len(item))
                 item = {q.name: part for q, part in zip(declared, item, strict=False)}
+            elif len(declared) == 1 and not isinstance(item, (dict, p.item)):
+                item = {declared[0].name: item}
             yield item if isinstance(item, p.item) else filled(p.item, declared, item)
 
 

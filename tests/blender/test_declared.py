@@ -135,7 +135,7 @@ def test_shape_of_lengths_below_a_micrometre_is_what_it_is(scene):
 def values(p):
     """Values of a parameter, of every kind and up to every limit."""
     if p.item:
-        return st.lists(described(p.item), max_size=3)
+        return st.lists(described(p.item), max_size=min(p.most, 3))
     if p.kinds:
         return st.one_of([described(kind, lambda kind=kind: inside(p, kind)) for kind in p.kinds])
     if isinstance(p.default, Enum):

@@ -50,7 +50,7 @@ def carried(shape, swept):
 
     def at(stations):
         scale_x, scale_y, twist, offset_x, offset_y = swept.along.at(stations.s, stations.u)
-        e2, e3, _ = axes(shape.frame, stations, twist, swept.symmetry)
+        e2, e3, _ = axes(swept.along.rails or shape.frame, stations, twist, swept.symmetry)
         aside, x, y = e2 * offset_x[:, None] + e3 * offset_y[:, None], e2 * scale_x[:, None], e3 * scale_y[:, None]
         if swept.along.change:
             x, y = (swept.along.change.weighted(axis, stations.t) for axis in (x, y))
