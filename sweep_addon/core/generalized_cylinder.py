@@ -22,6 +22,7 @@ from .frames import Frame, Frames, RotationMinimizing, axes
 from .grid import Grid
 from .laws import Law
 from .mesh import Mesh, require_few
+from .mitres import leaned
 from .morph import AS_THICK, Blend, Match, Morph
 from .parameters import angle, at, declared, parameter, require
 from .rails import Guided, Rail, Rails
@@ -247,9 +248,12 @@ class GeneralizedCylinder:
         else:
             told += folds_told(stations, *rings, getattr(self.contour, "support", section.support))
         if self.fit is Fit.AREA_TRUE:
-            rings = volume_true(stations, rings, along, section.centroid, turn)
+            rings = volume_true(stations, rings, along, section.centroid, turn, farthest(section, change))
         else:
-            rings = placed(stations, *rings)
+            # enclosing what a law changes over a lean would make the mesh bulge there
+            still = along.is_constant and not any(along.tapers)
+            leaning = farthest(section, change) if still or self.fit is Fit.INSCRIBED else 0.0
+            rings = placed(stations, leaning, *rings)
         reach = farthest(section, change) * along.largest
         least = ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
@@ -288,7 +292,7 @@ class GeneralizedCylinder:
         stations = place(along.trajectory, Count(int(np.clip(steps + (not closed), 2, most))))
         scale_x, scale_y, twist, *offset = along.at(stations.s, stations.u)
         e2, e3, _ = axes(along.rails or self.frame, stations, twist, symmetry)
-        rings = placed(stations, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
+        rings = placed(stations, reach, across(offset, e2, e3), e2 * scale_x[:, None], e3 * scale_y[:, None])
         shown = np.unique(np.linspace(0, len(stations.s) - 1, min(most, len(stations.s))).round().astype(int))
         rings, shape = rings[:, shown], section.points
         if change:
@@ -348,12 +352,16 @@ def creases(stations, along, before):
     return tuple((before + edges).tolist())
 
 
-def placed(stations, aside, x, y):
-    """The middle of each contour and its axes as they are drawn, mitred at the corners: (3, n, 3)."""
+def placed(stations, reach, aside, x, y):
+    """The middle of each contour and its axes as they are drawn, mitred at the corners: (3, n, 3).
+
+    A contour that reaches so far leans where it stands close to a mitre; 0 leaves it perpendicular.
+    """
     rings = np.stack((aside, x, y))
     corners = stations.corners
     if len(corners):
         bevels, fans = fanned(stations, rings)
+        rings = leaned(stations, rings, reach) if reach else rings
         rings[:, corners] = mitred(rings[:, corners], stations.arrive[corners], stations.leave[corners])
         rings[:, bevels] = fans
     rings[0] += stations.points

@@ -6,6 +6,7 @@ import numpy as np
 
 from .bevels import fanned
 from .contours.fit import Fit
+from .mitres import leaned
 from .rotations import turned
 from .steps import ahead, handed, mitred, require_short, to_both
 from .vectors import dot, norms, unit
@@ -14,7 +15,7 @@ FARTHEST = 3.0  # rises of the chords: a station moves no farther, for at an inf
 MOST_GROWN = 2.0  # areas: a step of half a turn holds a third of what it should
 
 
-def volume_true(stations, rings, along, centroid, turn):
+def volume_true(stations, rings, along, centroid, turn, reach):
     """Rings between which a mesh has the volume of the true sweep, up to the fourth power of the steps.
 
     Parameters
@@ -28,6 +29,8 @@ def volume_true(stations, rings, along, centroid, turn):
         Of the area-true contour, in metres.
     turn : float
         The angle in radians by which a closed sweep comes back turned: one that maps the contour to itself.
+    reach : float
+        How far its farthest point is from its reference point, in metres.
 
     Returns
     -------
@@ -59,6 +62,8 @@ def volume_true(stations, rings, along, centroid, turn):
     bevels, fans = fanned(stations, rings)
     bisectors = unit(before + after)
     rings = np.stack([turned(part, stations.tangent, bisectors) for part in rings])
+    if len(stations.corners):
+        rings = leaned(stations, rings, reach)
     rings = mitred(rings, before, after)
     rings[1:] *= np.sqrt(growth(stations, places, rings[1:], along, turn))
     rings[:, bevels] = fans

@@ -16,7 +16,7 @@ from sweep_addon.core.frames import FixedUp, Frenet, RotationMinimizing
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Count, Tolerance, place
-from sweep_addon.core.trajectories import Arc, Polyline
+from sweep_addon.core.trajectories import Arc, Formula, Polyline
 
 ANGLES = [5, 20, 60, 90, 120, 150, 170, 175]
 ZIGZAG = [(0, 0, 0), (2, 0, 0), (2, 1.5, 0), (3, 2, 1), (4, 0, 1)]
@@ -84,6 +84,92 @@ def test_a_square_of_round_corners_that_meet_is_a_circle():
     assert rings.volume() == pytest.approx(
         GeneralizedCylinder(Circle(0.1, 12), Arc(1.0, 2 * np.pi), Count(32)).mesh().volume(), rel=1e-12
     )
+
+
+def along_legs(tube):
+    """How far each column goes with each step, along the leg that the step is on: (m, n) in metres."""
+    stations, mesh = tube.swept().stations, tube.mesh()
+    columns = mesh.vertices.reshape(-1, len(stations.s), 3)
+    steps = columns[:, stations.onward] - columns[:, stations.starts]
+    return np.einsum("mni,ni->mn", steps, stations.leave[stations.starts])
+
+
+@pytest.mark.parametrize("degrees", ANGLES)
+@pytest.mark.parametrize("contour", [Circle(0.1, points=9), Rectangle(0.2, 0.1)])
+@pytest.mark.parametrize("fit", Fit)
+def test_contours_near_a_mitre_do_not_run_through_it(contour, degrees, fit):
+    """Both legs are prisms, and no step of a column turns back. A mitre takes off a leg what the contour reaches times
+    the tangent of half the turn; steps on twice that, or on the whole leg if it is shorter, share it evenly."""
+    tube = GeneralizedCylinder(contour, elbow(degrees, Mitre()), Count(401), fit=fit)
+    assert tube.mesh().volume() == pytest.approx(fitted(contour, fit).area * 10, rel=1e-12)
+    cut = np.linalg.norm(fitted(contour, fit).points, axis=1).max() * np.tan(np.radians(degrees) / 2)
+    step = 5 / 200
+    assert along_legs(tube).min() >= step * (1 - max(cut / 5, 0.5)) - 1e-9
+    if fit is Fit.INSCRIBED:
+        assert not len(tube.self_intersections())
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_leg_with_no_room_for_both_fans_divides_its_columns_evenly(side):
+    """Two right angles 0.3 m apart, each of which takes up to 0.1 m, on one side of the leg or on both."""
+    path = Polyline([(0, 0, 0), (2, 0, 0), (2, 0.3, 0), (2 - 2 * side, 0.3, 0)])
+    tube = GeneralizedCylinder(Circle(0.1, 12), path, Count(400))
+    u = tube.swept().stations.u
+    on = np.flatnonzero((u >= 1) & (u <= 2))
+    columns = tube.mesh().vertices.reshape(12, -1, 3)[:, on]
+    expected = columns[:, :1] + (u[on] - 1)[:, None] * (columns[:, -1:] - columns[:, :1])
+    assert len(on) > 20 and np.abs(columns - expected).max() < 1e-12
+    assert along_legs(tube).min() > 0 and not len(tube.self_intersections())
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("corner", [Mitre(), Mitre(1.1), Bevel(0.2)])
+@pytest.mark.parametrize(
+    "laws", [{}, {"scale_x": [(0, 1), (0.5, 0.2), (1, 1)], "scale_y": [(0, 1), (0.5, 0.2), (1, 1)]}]
+)
+def test_many_contours_on_many_legs_keep_their_order(closed, corner, laws):
+    """Also where a scale changes on the way, on legs round a hexagon, bevelled or not."""
+    angle = np.radians(60) * np.arange(6)
+    path = Polyline(np.column_stack((np.cos(angle), np.sin(angle), 0 * angle)), closed, corner)
+    tube = GeneralizedCylinder(Circle(0.2, 12), path, Count(400), **laws)
+    assert_solid(tube.mesh(), 0 if closed else 2)
+    assert along_legs(tube).min() > 0 and not len(tube.self_intersections())
+
+
+@pytest.mark.parametrize("degrees", ANGLES)
+@pytest.mark.parametrize("fit", Fit)
+def test_twisted_legs_are_solids_of_the_volume_of_their_length(degrees, fit):
+    """A turn of a square about its centre keeps its area: chords across h radians lack h^2 / 6 of it."""
+    tube = GeneralizedCylinder(
+        Rectangle(0.1, 0.1), elbow(degrees, Mitre()), Count(400), twist=[(0, 0), (1, 4)], fit=fit
+    )
+    mesh = tube.mesh()
+    assert_solid(mesh, 2)
+    if fit is Fit.CIRCUMSCRIBED:
+        assert 0.1 < mesh.volume() < 0.1 * 1.02
+    else:
+        assert mesh.volume() == pytest.approx(0.1, rel=(4 / 399) ** 2 / 6 * 1.1)
+        assert not len(tube.self_intersections())
+
+
+def test_a_straight_leg_leans_where_the_other_one_is_curved():
+    """A formula whose first half is straight: there the steps of the innermost column are half as long at a mitre."""
+    path = Formula("u", "max(-u, 0)*3 + max(u, 0)^2", "0", start=-1, end=1)
+    tube = GeneralizedCylinder(Circle(0.1, 12), path, Count(200))
+    stations = tube.swept().stations
+    (corner,) = stations.corners
+    step = stations.s[corner] / corner
+    assert along_legs(tube)[:, :corner].min() == pytest.approx(step / 2, rel=1e-6)
+
+
+@pytest.mark.parametrize("samples", [Tolerance(), Count(400)])
+@pytest.mark.parametrize(("side", "safe"), [(1, 0.25), (-1, 2.0)])
+def test_contours_between_mitres_do_not_change_which_size_is_safe(samples, side, safe):
+    """Two right angles 0.5 m apart take a radius each of what is between them, or on opposite sides none of it: then
+    each takes its radius off a leg of 2 m."""
+    path = Polyline([(0, 0, 0), (2, 0, 0), (2, 0.5, 0), (2 - 2 * side, 0.5, 0)])
+    found = GeneralizedCylinder(Circle(0.1, 16), path, samples).self_intersections()
+    assert found.largest_safe_size == pytest.approx(safe, rel=1e-6)
 
 
 @pytest.mark.parametrize("degrees", ANGLES)

@@ -11,6 +11,7 @@ from ..cells import bend
 from ..contours import Circle, Fit, fitted
 from ..ends import Flat, Open
 from ..frames import axes
+from ..mitres import legs
 from ..vectors import dot, norms
 from .detect import met, together
 from .folds import between, short_legs
@@ -103,11 +104,16 @@ def lattice_of(swept):
         return (weights @ rings[:, asked].reshape(len(rings), -1)).reshape(len(weights), *asked.shape, 3)
 
     whole = Lattice.of(grid, at, path, middles, normals, radii, chart.u, stations.trajectory.domain[1])
-    return whole.only(~cut_off(whole, stations, before)) if len(stations.corners) else whole
+    if not len(stations.corners):
+        return whole
+    return whole.only(~(within_prisms(whole, stations, before) | cut_off(whole, stations, before)))
 
 
 def cut_off(lattice, stations, before):
-    """Which rings stand where a mitre of a straight leg already is: (n,) bool; the leg goes on without them."""
+    """Which rings stand where a mitre of a straight leg already is: (n,) bool; the leg goes on without them.
+
+    Those of the circumscribed fit need it, which do not lean where a law changes them.
+    """
     corners, s = stations.corners, stations.s
     half = np.arccos(np.clip(dot(stations.tangent[corners], stations.leave[corners]), -1, 1))
     length = lattice.radii.max() * np.tan(half)
@@ -118,6 +124,24 @@ def cut_off(lattice, stations, before):
     cut = np.zeros(len(lattice.u), bool)
     cut[before : before + len(s)] = swallowed
     return cut
+
+
+def within_prisms(lattice, stations, before):
+    """Which rings only divide a prism, a leg between mitres whose contour stays as it is: (n,) bool.
+
+    They lean as these mitres ask that are; the mitres of a larger contour are longer. The first station is the ring
+    after so many.
+    """
+    steps = np.arange(len(stations.onward))
+    legs = stations.leave[steps]
+    change = lattice.points(before + steps + 1) - lattice.points(before + steps)
+    change -= dot(change, legs)[..., None] * legs
+    straight = norms(stations.arrive[stations.onward] - legs) <= ROUNDING
+    straight &= norms(change).max(axis=0) <= ROUNDING * lattice.size
+    within = np.zeros(len(lattice.u), bool)
+    within[before + steps[1:]] = straight[1:] & straight[:-1]
+    within[before + stations.corners] = False
+    return within
 
 
 def widest(x, y):
@@ -140,15 +164,9 @@ class Legs:
         self.stations, self.factor, self.short = stations, np.inf, []
         if not len(corners):
             return
-        first, last = corners, np.roll(corners, -1)
-        if not stations.closed:
-            ends = np.unique(np.concatenate(([0], corners, [len(stations.s) - 1])))
-            first, last = ends[:-1], ends[1:]
-        bevel = bevels(stations)
+        bevel, (first, last, lengths) = bevels(stations), legs(stations)
         kept = (bevel[first] < 0) | (bevel[first] != bevel[last])
-        first, last = first[kept], last[kept]
-        lengths = stations.s[last] - stations.s[first]
-        lengths = np.where(lengths > 0, lengths, lengths + stations.total)
+        first, last, lengths = first[kept], last[kept], lengths[kept]
         leaving, arriving = (
             np.einsum("mkx,kx->mk", lattice.at(before + corner) - stations.points[corner], way[corner])
             for corner, way in ((first, stations.leave), (last, stations.arrive))
