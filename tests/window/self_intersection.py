@@ -8,7 +8,7 @@ Its reach is 0.2492 m: two turns are half a metre apart, nearly.
 import bpy
 from _window import run
 
-RADIUS, SELECT_FACES = (0.55, 141), (0.5, 633)  # read off pictures
+RADIUS, SELECT_FACES = (0.55, 141), (0.5, 654)  # read off pictures
 
 
 def self_intersection(person):
