@@ -74,6 +74,9 @@ def drafted(section, moves, height):
 def reachable(section, moves, height):
     """How high a section stays one, and whether it is a point there.
 
+    Up to the height it must stay one with room to spare: contours whose edges all but meet have points that single
+    precision does not tell apart, and a cap of no area.
+
     Parameters
     ----------
     section : Section
@@ -85,36 +88,38 @@ def reachable(section, moves, height):
     Returns
     -------
     height : float
-        Where the first edge has no length left or edges meet; infinite where none does up to the height.
+        Where the contour is a point, or just below where the first edge has no length left or edges meet; infinite
+        where none does up to the height.
     point : bool
         Whether all edges of one loop vanish at once, and there.
 
     Examples
     --------
-    The edges of a square meet where it is a point, those of a rectangle do not:
+    The edges of a square meet where it is a point, those of a rectangle in a ridge:
 
     >>> from .contours import Rectangle
     >>> for width in (2, 3):
     ...     section = Rectangle(width, 2).section()
     ...     print(reachable(section, mitres(section), 1.0))
     (1.0, True)
-    (1.0, False)
+    (0.999999, False)
     """
     edges = section.points[section.following] - section.points
     shrinks = -np.einsum("ij,ij->i", moves[section.following] - moves, edges) / section.edge_lengths
     vanish = np.full(len(edges), np.inf)
     np.divide(section.edge_lengths, shrinks, out=vanish, where=shrinks > 0)
     first = float(vanish.min())
-    if len(section.offsets) == 2 and vanish.max() <= first * (1 + ALIKE) and height >= first * (1 - ALIKE):
+    beyond = height * (1 + ALIKE)
+    if len(section.offsets) == 2 and vanish.max() <= first * (1 + ALIKE) and beyond >= first * (1 - ALIKE):
         return first, True
-    if height < first and alike(section, drafted(section, moves, height)):
+    if beyond < first and alike(section, drafted(section, moves, beyond)):
         return np.inf, False
-    low, high = 0.0, min(height, first)
+    low, high = 0.0, min(beyond, first)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         clear = alike(section, drafted(section, moves, middle))
         low, high = (middle, high) if clear else (low, middle)
-    return high, False
+    return high * (1 - ALIKE), False
 
 
 def alike(section, other):

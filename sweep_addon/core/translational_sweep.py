@@ -183,7 +183,10 @@ class TranslationalSweep:
             Directions.BOTH: (-self.depth, self.height),
         }[self.directions]
         heights = np.linspace(low, high, self.steps + 1)
-        return np.union1d(heights, 0.0) if self.is_drafted and low < 0 else heights
+        if not self.is_drafted or low == 0:
+            return heights
+        heights[1:-1][np.abs(heights[1:-1]) <= ALIKE * (high - low)] = 0.0  # but for rounding, also of the depth
+        return np.union1d(heights, 0.0)
 
     @property
     def is_drafted(self):
@@ -216,8 +219,11 @@ class TranslationalSweep:
     def drafted(self, section, heights):
         """The section drafted to its ends: a `Draft`; refused where it does not reach them."""
         slopes, ends = self.slopes(section), np.abs(heights[[0, -1]]).tolist()
-        slope, no_inside = float(slopes[0]), "must be 0 where the contour is open, which has no inside"
-        require(section.closed or not slope, no_inside, atan(slope), "taper")
+        if not section.closed:
+            key, angle = self.steepest(slopes)
+            require(
+                not angle, "must be 0 where the contour has open curves or points, which have no inside", angle, key
+            )
         found = draft(section, tuple(slopes.tolist()), tuple(ends))
         for height, reached, point in zip(ends, found.reached, found.points, strict=True):
             if height > reached * (1 + ALIKE if point else 1):
@@ -226,11 +232,16 @@ class TranslationalSweep:
 
     def refusal(self, slopes, height, reached):
         """What is said of a taper whose edges meet before the height: the largest angle."""
-        steepest = max(slopes.tolist(), key=abs)
-        key = "tapers" if len(self.tapers) else "taper" if abs(tan(self.taper)) == abs(steepest) else "hole_taper"
-        most = atan(abs(steepest) * reached / height)
+        key, angle = self.steepest(slopes)
+        most = atan(tan(abs(angle)) * reached / height)
         most = f"must be less than {most:.9g} ({degrees(most):.6g} degrees) in size"
-        return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(atan(steepest))}", key)
+        return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(angle)}", key)
+
+    def steepest(self, slopes):
+        """The parameter that the steepest slope is of, and its angle."""
+        slope = max(slopes.tolist(), key=abs)
+        key = "tapers" if len(self.tapers) else "taper" if abs(tan(self.taper)) == abs(slope) else "hole_taper"
+        return key, atan(slope)
 
     def laid(self, section, moves, heights):
         """The weights of the section's points, (m, k), and the rings that they are of, (k, n, 3)."""

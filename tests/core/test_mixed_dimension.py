@@ -291,9 +291,9 @@ def test_sweep_raises_the_dimension_of_each_part_by_one_unless_it_moves_along_it
         "fit: must be inscribed for a mixed contour, which has no curves, got 'area-true'": lambda: TranslationalSweep(
             Mixed(), fit="area-true"
         ).mesh(),
-        "taper: must be 0 where the contour is open, which has no inside, got 0.1": lambda: TranslationalSweep(
-            Mixed(), taper=0.1
-        ).mesh(),
+        "taper: must be 0 where the contour has open curves or points, which have no inside, got 0.1": lambda: (
+            TranslationalSweep(Mixed(), taper=0.1).mesh()
+        ),
         "contour: must not lie on the axis, got only points on it": lambda: RotationalSweep(
             Mixed([], [[(0, 0), (0, 1)]])
         ).mesh(),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from solids import GLYPHS, assert_solid, box, ngon
 
-from sweep_addon.core.contours import Circle, Outline, Rectangle, RegularPolygon, Star
+from sweep_addon.core.contours import Circle, Mixed, Outline, Rectangle, RegularPolygon, Star
 from sweep_addon.core.draft import mitres, reachable
 from sweep_addon.core.laying import CAP
 from sweep_addon.core.parameters import ShapeError
@@ -98,6 +98,23 @@ def test_both_directions_draft_from_the_contours_plane():
     assert even.topology.sharp.sum() == 3 * 64
 
 
+@pytest.mark.parametrize(("depth", "steps"), [(0.05, 3), (float(np.float32(0.05)), 3), (0.2, 6), (0.1, 7)])
+def test_contours_plane_is_one_contour_though_a_step_ends_there_but_for_rounding(depth, steps):
+    """Of as many contours as steps have ends; one more where no step ends in the plane."""
+    shape = TranslationalSweep(Rectangle(1, 1), 0.1, "both", depth=depth, taper=0.3, steps=steps)
+    mesh, contours = shape.mesh(), steps + 2 if steps == 7 else steps + 1
+    assert len(mesh.vertices) == 4 * contours
+    apart = np.diff(np.unique(mesh.vertices[:, 2]))
+    assert len(apart) == contours - 1
+    assert apart.min() > 0.49 * (0.1 + depth) / steps, "the plane halves the middle one of seven"
+    assert mesh.volume() == pytest.approx(steiner(shape.contour.section(), [0.1, depth], [tan(0.3)]), **CLOSE)
+
+
+def test_thin_depth_is_not_taken_for_rounding():
+    shape = TranslationalSweep(Rectangle(1, 1), 0.1, "both", depth=1e-9, taper=0.3)
+    assert shape.heights().tolist() == [-1e-9, 0, 0.1]
+
+
 def test_every_side_of_a_drafted_prism_leans_by_its_angle():
     """The angle between a side and the vertical, loop by loop."""
     tapers = 0.1, -0.05, 0.2
@@ -153,6 +170,26 @@ def test_refusal_tells_the_largest_angle(name):
     below = 0.99 * told
     holes = len(contour.section().areas) - 1
     assert_solid(TranslationalSweep(**shape, taper=below, hole_taper=below).mesh(), 2 - 2 * holes)
+
+
+@pytest.mark.parametrize("name", LARGEST)
+@pytest.mark.parametrize("short", [0, 1e-15, 1e-12, 1e-9, 5e-7])
+def test_edges_that_meet_at_the_height_or_hardly_beyond_are_refused(name, short):
+    """Their contour would be doubled there. An angle that is hardly less than the one told will do."""
+    contour, distance = LARGEST[name]
+    angle = atan(distance / 2.0) * (1 - short)
+    with pytest.raises(ShapeError, match=r"^taper: must be less than ") as caught:
+        TranslationalSweep(contour, 2.0, taper=angle, hole_taper=angle).mesh()
+    told = float(re.search(r"less than ([\d.]+)", str(caught.value))[1])
+    assert told < angle
+    mesh = TranslationalSweep(contour, 2.0, taper=told * (1 - 1e-8), hole_taper=told * (1 - 1e-8)).mesh()
+    assert_solid(mesh, 2 - 2 * (len(contour.section().areas) - 1))
+    assert len(np.unique(mesh.vertices.astype(np.float32), axis=0)) == len(mesh.vertices)
+
+
+@pytest.mark.parametrize("short", [0, 1e-12, 1e-9, 5e-7])
+def test_square_is_a_pyramid_also_hardly_below_its_tip(short):
+    assert len(TranslationalSweep(Rectangle(2, 2), 3.0, taper=atan(1 / 3) * (1 - short)).mesh().vertices) == 5
 
 
 def test_outward_draft_is_refused_where_a_hollow_corner_closes():
@@ -236,8 +273,14 @@ def test_a_thousand_random_prisms_are_solids():
         "hole_taper: must be at least -1.55334, got -2": dict(hole_taper=-2.0),
         "tapers: must be at most 1.553 in size, got 3": dict(tapers=[0.1, 3]),
         "tapers: must have one angle a loop, 1, got 2": dict(tapers=[0.1, 0.2]),
-        "taper: must be 0 where the contour is open, which has no inside, got 0.1": dict(
+        "taper: must be 0 where the contour has open curves or points, which have no inside, got 0.1": dict(
             taper=0.1, contour=Outline([[(0, 0), (1, 0)]], closed=False)
+        ),
+        "taper: must be 0 where the contour has open curves or points, which have no inside, got -0.1": dict(
+            taper=-0.1, contour=Mixed()
+        ),
+        "tapers: must be 0 where the contour has open curves or points, which have no inside, got 0.1": dict(
+            tapers=[0, 0.1], contour=Outline([[(0, 0), (1, 0)], [(0, 1), (1, 2), (1, 3)]], closed=False)
         ),
         "fit: must be inscribed where the contour is open, got 'area-true'": dict(
             fit="area-true", contour=Outline([[(0, 0), (1, 0)]], closed=False)
