@@ -3,11 +3,14 @@
 """Parting: a section at an axis of rotation, the line x = 0: where they meet, and what is on either side."""
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
 from .contours import Section
 from .contours.loops import COINCIDENT
+
+WIDTH = 1e-6  # of the size: sides that overlap in a strip of less mean width touch, on a grid of 4,194,304 cells
 
 
 def on_axis(sections, mixed, screw):
@@ -149,3 +152,54 @@ def leaving(points, chain):
     """Where on the axis a chain begins, and its slope there."""
     (_, y), (x, up) = points[chain[0]], points[chain[1]]
     return y, (up - y) / abs(x)
+
+
+@lru_cache(maxsize=16)
+def overlapping(sections):
+    """Whether sections on both sides of the axis overlap when the plane is folded along it, as half a turn folds it.
+
+    Areas do where they cover the same place, curves where they have an edge in common.
+
+    Examples
+    --------
+    >>> from .contours import Outline, Rectangle
+    >>> overlapping(parted(Rectangle(2, 2).section()))
+    True
+    >>> overlapping(parted(Outline([[(-1, -1), (1, 1)]], closed=False).section()))
+    False
+    """
+    left, right = ([folded(section) for section in sections if sides(section)[side]] for side in (0, 1))
+    both = bool(left and right)
+    return both and (areas_overlap(left + right) or not edges_of_curves(left).isdisjoint(edges_of_curves(right)))
+
+
+def folded(section):
+    """The section as it is to the right of the axis."""
+    return replace(section, points=np.abs(section.points) * (1, 0) + section.points * (0, 1))
+
+
+def areas_overlap(sections):
+    """Whether areas cover a place twice: where what is covered an odd number of times is less than all of them."""
+    from .contours.filling import filled  # few turn so far
+
+    areas = [section for section in sections if section.closed]
+    loops = [loop for section in areas for loop in np.split(section.points, section.offsets[1:-1])]
+    once = filled(loops, np.zeros(len(loops), dtype=int), np.array([True]))
+    covered = sum(enclosed(*loop.T) for loop in once)
+    twice = sum(abs(section.area) for section in areas) - covered
+    size = np.ptp(np.concatenate([section.points for section in sections]), axis=0).max()
+    return bool(twice > WIDTH * size * sum(section.edge_lengths.sum() for section in areas))
+
+
+def enclosed(x, y):
+    """The area that a loop encloses, to its left positive."""
+    x, y = x - x[0], y - y[0]
+    return (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
+def edges_of_curves(sections):
+    """The edges of the open ones of some sections off the axis, whichever way they run: a set of pairs of points."""
+    curves = [section for section in sections if not section.closed]
+    ends = [np.stack((section.points, section.points[section.following]), axis=1) for section in curves]
+    rows = [np.delete(pairs, section.gaps, axis=0) for pairs, section in zip(ends, curves, strict=True)]
+    return {tuple(sorted(map(tuple, pair))) for pairs in rows for pair in pairs.tolist()}

@@ -5,7 +5,7 @@
 from dataclasses import replace
 from enum import Enum
 from functools import lru_cache
-from math import ceil, copysign, sin, sqrt, tau
+from math import ceil, copysign, pi, sin, sqrt, tau
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from .frames import Frames
 from .grid import Grid
 from .joining import joined
 from .mesh import Mesh, require_few
-from .parameters import ShapeError, angle, declared, parameter, require
+from .parameters import ShapeError, angle, at, declared, parameter, require
 from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
 from .self_intersection.folds import PREFIX
 from .welding import finished, welded
@@ -28,6 +28,8 @@ ATTRIBUTES = "UVs and Attributes"
 WHOLE = 1e-6  # of a turn: an angle so close to one closes
 MOST_TURNS = 10_000
 WIDEST = tau / 3  # of a step: two are no turn
+LESS = f"must be less than half a turn, {pi:.6g}, where crossing is meet and the sides then sweep the same places"
+OVERLAP = f"{PREFIX}beyond half a turn both sides of the contour sweep the same places, and their bodies overlap."
 PULLEY = ((0.25, -0.4), (1.0, -0.4), (0.7, 0.0), (1.0, 0.4), (0.25, 0.4))
 
 
@@ -121,7 +123,7 @@ class RotationalSweep:
         ------
         ShapeError
             Where the contour crosses the axis and that is refused, where it runs along the axis and there is a pitch,
-            or where there would be too many vertices.
+            where its sides are to meet there but sweep the same places, or where there would be too many vertices.
 
         Examples
         --------
@@ -135,6 +137,8 @@ class RotationalSweep:
         mixed = isinstance(self.contour, Mixed) or self.crossing is Crossing.MEET and len(sections) > 1
         drawn_as = (self.outward(section) for section in sections)
         mesh = welded(bodies, [section.points * (side, 1) for section, side in drawn_as]) if mixed else joined(bodies)
+        if self.crossing is Crossing.SPLIT and abs(self.angle) > pi * (1 + WHOLE) and self.sides_overlap(sections):
+            mesh = replace(mesh, told=(*mesh.told, OVERLAP))
         return finished(mesh, mixed, self.regularize)
 
     def bodies(self, dtype=np.float64):
@@ -174,7 +178,14 @@ class RotationalSweep:
             solid = section.closed or isinstance(self.contour, Mixed)  # an open outline may run along the axis
             along = solid and self.pitch and len(between_poles(section))
             require(not along, "must be 0 for a contour with an edge along the axis", self.pitch, "pitch")
+        apart = self.crossing is not Crossing.MEET or abs(self.angle) < pi * (1 - WHOLE)
+        require(apart or not self.sides_overlap(sections), LESS, self.angle, "angle")
         return sections
+
+    def sides_overlap(self, sections):
+        """Whether what is on both sides of the axis sweeps the same places, from half a turn on."""
+        with at("contour"):
+            return not self.pitch and parting.overlapping(sections)
 
     def body(self, section, turns, dtype):
         """The mesh of one section that turns so far."""

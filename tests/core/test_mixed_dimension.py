@@ -101,7 +101,7 @@ def test_cones_meet_in_the_singular_point_on_the_axis():
 def test_bodies_that_meet_at_the_axis_do_not_cross_unless_they_turn_through_each_other():
     for name in ("singular_point", "non_manifold_edge"):
         assert not preset(name).self_intersections()
-    assert RotationalSweep(Rectangle(2, 1), 4.0, crossing="meet").self_intersections()
+    assert RotationalSweep(Rectangle(2, 1), 4.0, crossing="split").self_intersections()
 
 
 def test_wedges_meet_in_the_edge_on_the_axis():
@@ -111,6 +111,52 @@ def test_wedges_meet_in_the_edge_on_the_axis():
     assert np.abs(edge[:, [0, 2]]).max() == 0 and sorted(edge[:, 1]) == pytest.approx([-0.6, 0.6])
     pairs, forward, backward = mesh.topology.uses()
     assert (forward.max(), backward.max()) == (2, 2) and not len(mesh.boundary_edges())
+
+
+V = Outline([[(-1, 1), (0, 0), (1, 1)]], closed=False)
+TAILED = Mixed([box((0, 0), (1, 1))], [[(-1, 2), (0, 3), (1, 2)]])
+LESS = "^angle: must be less than half a turn, 3.14159, where crossing is meet and the sides then sweep the same places"
+
+
+BOTH_SIDES = {
+    "rectangle": dict(contour=Rectangle(1, 1)),
+    "circle": dict(contour=Circle(1, 37), axis_direction=(3, 7)),
+    "one side larger": dict(contour=Outline([box((-2, 0), (1, 1))])),
+    "curve": dict(contour=V),
+    "curve beside an area": dict(contour=TAILED),
+}
+
+
+@pytest.mark.parametrize("angle", [pi, -pi, 3.5, tau, -tau])
+@pytest.mark.parametrize("given", BOTH_SIDES.values(), ids=BOTH_SIDES)
+def test_sides_that_sweep_the_same_places_meet_in_less_than_half_a_turn(given, angle):
+    """Two half cylinders would share the faces at their ends, two whole ones everything."""
+    for regularize in (False, True):
+        with pytest.raises(ShapeError, match=f"{LESS}, got {angle:.9g}$"):
+            RotationalSweep(**given, angle=angle, crossing="meet", regularize=regularize).mesh()
+
+
+def test_a_little_less_than_half_a_turn_is_two_solids():
+    shape = dict(contour=Rectangle(1, 1), angle=pi - 0.001, crossing="meet")
+    found = RotationalSweep(**shape).mesh().dimensions()
+    assert found.parts == (2, 0, 0, 0) and len(found.non_manifold_edges) == 1
+    regular = RotationalSweep(**shape, regularize=True).mesh()
+    assert regular.euler_characteristic() == 4 and not len(regular.boundary_edges())
+    assert not len(regular.non_manifold_edges())
+
+
+BESIDE = Outline([box((-3, 0), (-2, 1)), box((0, 0), (1, 1))])  # a ring round a cylinder
+ABOVE = Outline([box((-1, 2), (0, 3)), box((0, 0), (1, 1))])
+TOUCHING = Outline([box((-2, 0), (-1, 1)), box((0, 0), (1, 1))])
+
+
+@pytest.mark.parametrize("angle", [pi, 4.0, tau])
+@pytest.mark.parametrize(("contour", "moment"), [(BESIDE, 2.5 + 0.5), (ABOVE, 0.5 + 0.5), (TOUCHING, 1.5 + 0.5)])
+def test_sides_that_never_come_to_the_same_places_may_turn_as_far_as_they_like(contour, moment, angle):
+    mesh = RotationalSweep(contour, angle, samples=Count(25), crossing="meet").mesh()
+    steps = 25 if angle == tau else 24
+    assert mesh.dimensions().parts == (2, 0, 0, 0)
+    assert mesh.volume() == pytest.approx(moment * steps * sin(angle / steps), rel=1e-12)
 
 
 SOLID = {  # volume: area times height, or Pappus with the sectors of a turn in so many chords

@@ -130,6 +130,16 @@ def test_spindle_solid_has_its_volume():
     assert both.mesh().volume() == pytest.approx(large.volume() + small.volume(), **CLOSE)
 
 
+@pytest.mark.parametrize(("angle", "overlap"), [(2.0, False), (pi, False), (pi + 0.01, True), (tau, True)])
+def test_split_bodies_that_overlap_are_told_and_stay(angle, overlap):
+    """In half a turn each comes to where the other began, and no farther. Boxes above each other never do."""
+    mesh = RotationalSweep(Rectangle(1, 1), angle, crossing="split").mesh()
+    sentence = "beyond half a turn both sides of the contour sweep the same places, and their bodies overlap."
+    assert mesh.told == ((f"Self-intersection: {sentence}",) if overlap else ())
+    above = Outline([box((-1, 2), (0, 3)), box((0, 0), (1, 1))])
+    assert RotationalSweep(above, angle, crossing="split").mesh().told == ()
+
+
 @pytest.mark.parametrize("angle", [tau, 2.0])
 def test_kept_spindle_is_one_surface_through_itself(angle):
     """Its volume is signed: what is beyond the axis counts against the rest, so that Pappus holds."""
