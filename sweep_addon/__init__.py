@@ -10,6 +10,8 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 0
 """
 
+from importlib.util import find_spec
+
 from .core import contours, corners, directions, ends, frames, laws, limits, sampling, trajectories
 from .core.forms import dump
 from .core.generalized_cylinder import GeneralizedCylinder
@@ -34,16 +36,16 @@ __all__ = [
     "dump",
     "ends",
     "frames",
-    "from_object",
     "laws",
     "limits",
     "load",
     "presets",
     "reach",
     "sampling",
-    "to_object",
     "trajectories",
 ]
+if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
+    __all__ += ["from_object", "to_object"]
 
 LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".bridge.objects", "reach": ".core.reach"}
 

@@ -4,6 +4,7 @@
 
 import re
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
@@ -15,6 +16,13 @@ from sweep_addon.core.shapes import SHAPES
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 PAGES = [*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md")]
+EXAMPLE = re.compile(r"^```python\n(.*?)^```\n\n?((?: {4}[^\n]*\n)*)", re.DOTALL | re.MULTILINE)
+EXAMPLES = [  # those of CONTRIBUTING.md are parts of files, and have a test of their own
+    pytest.param(*example, id=f"{page.stem}-{i}")
+    for page in PAGES
+    if page.stem != "CONTRIBUTING"
+    for i, example in enumerate(EXAMPLE.findall(page.read_text()))
+]
 JOBS = [*CHECKOUT.glob("docs/*.toml"), *CHECKOUT.glob("docs/pictures/*.toml")]
 
 pytestmark = pytest.mark.skipif(not PAGES, reason="the installed zip has no docs")
@@ -25,6 +33,15 @@ def test_links_and_pictures_of_a_page_exist(page):
     targets = re.findall(r"\]\(([^)#\s]+)", page.read_text())
     missing = [target for target in targets if "://" not in target and not (page.parent / target).exists()]
     assert not missing
+
+
+@pytest.mark.parametrize(("code", "below"), EXAMPLES)
+def test_example_of_a_page_runs_by_itself_and_prints_what_stands_below(code, below, tmp_path, monkeypatch, capsys):
+    (tmp_path / "docs").symlink_to(CHECKOUT / "docs")  # examples read from there, and may write beside it
+    monkeypatch.chdir(tmp_path)
+    exec(code, {})
+    printed = capsys.readouterr().out
+    assert not (printed and below) or printed == dedent(below)
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=spelled)

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Text becomes the outline of its glyphs, with their holes, at their places."""
 
+import gc
+import warnings
+from contextlib import suppress
+
 import numpy as np
 import pytest
 from contour_inputs import FONT
@@ -124,6 +128,19 @@ def test_arguments_of_another_type_are_named(argument, sentence):
     with pytest.raises(ShapeError) as refusal:
         from_text("A", FONT, **argument)
     assert str(refusal.value) == sentence
+
+
+@pytest.mark.parametrize(("text", "font"), [("A", FONT), ("A\u4e00", FONT), ("A", __file__)], ids=range(3))
+def test_the_file_of_the_font_is_closed(text, font):
+    """Also where the text is refused, or the file."""
+    gc.collect()  # what other tests left
+    with warnings.catch_warnings(record=True) as told, suppress(ShapeError):
+        warnings.simplefilter("always")
+        from_text(text, font)
+    with warnings.catch_warnings(record=True) as told_later:
+        warnings.simplefilter("always")
+        gc.collect()
+    assert not [warning for warning in told + told_later if warning.category is ResourceWarning]
 
 
 def test_a_missing_glyph_is_named():

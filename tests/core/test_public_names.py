@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The namespaces of the library offer their kinds, and nothing of what these are made with."""
 
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
 from typing import get_args
 
 import pytest
@@ -40,3 +44,19 @@ def test_every_choice_of_a_shape_is_in_a_namespace(shape):
 def test_the_library_offers_its_public_names_alone():
     assert sorted(dir(sw)) == sorted(sw.__all__)
     assert sw.presets.shape("spring") == sw.load(sw.presets.FOLDER / "spring.toml")
+
+
+@pytest.mark.skipif(bool(find_spec("bpy")), reason="is about Python without Blender")
+def test_all_public_names_can_be_imported_without_blender():
+    """By an interpreter of its own, where no other test has imported anything."""
+    script = "from sweep_addon import *; print(load.__name__, presets.__name__, 'to_object' in globals())"
+    found = subprocess.run(
+        [sys.executable, "-c", script], cwd=Path(sw.__file__).parents[1], capture_output=True, text=True
+    )
+    assert (found.stderr, found.stdout) == ("", "load sweep_addon.presets False\n")
+
+
+@pytest.mark.skipif(not find_spec("bpy"), reason="needs Blender, and this host has none")
+def test_what_needs_blender_is_public_where_it_is():
+    assert {"from_object", "to_object"} <= set(sw.__all__)
+    assert all(hasattr(sw, name) for name in sw.__all__)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contours from text: the glyphs of a font file, side by side."""
 
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -63,7 +64,7 @@ def opened(font_path):
     ttlib = library("fontTools.ttLib", "fonttools")
     require(isinstance(font_path, (str, Path)), "must be given by the path of its file", font_path)
     try:
-        return ttlib.TTFont(font_path, fontNumber=0, lazy=True)
+        return ttlib.TTFont(BytesIO(Path(font_path).read_bytes()), fontNumber=0, lazy=True)  # no file stays open
     except (OSError, ValueError) as error:
         raise ShapeError(f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
     except (ttlib.TTLibError, ImportError, AssertionError) as error:
