@@ -28,7 +28,7 @@ from .parameters import angle, at, declared, parameter, require
 from .rails import Guided, Rail, Rails
 from .sampling import Count, Sampling, Stations, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
-from .steps import mitred
+from .steps import mitred, told_backward
 from .trajectories import Helix, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import dot
@@ -208,7 +208,9 @@ class GeneralizedCylinder:
         around = change.around(scale, stations.t) if change else lengths_around(body.section, scale)
         flat = tuple(body.ends[station].points * body.scales[station] for station in (0, -1))
         chart = Chart(grid, u, s, stations.total, around, flat, self.texture, self.attributes)
-        return Swept(stations, along, symmetry, body, rings, shape, points, chart, told + body.told)
+        return Swept(
+            stations, along, symmetry, body, rings, shape, points, chart, told + told_backward(stations) + body.told
+        )
 
     def moving(self):
         """The section that starts the sweep, and how it changes: a `Changing`, or None."""

@@ -22,6 +22,7 @@ from .mesh import Mesh, require_few
 from .parameters import ShapeError, at, declared, parameter, require
 from .sampling import Count, Sampling, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
+from .steps import told_backward
 from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import norms
@@ -185,7 +186,9 @@ class PDCurveSweep:
             axis = bending.placed(stations)
         rings = np.stack((axis.points, axis.e2, axis.e3))
         backward = running_backward(stations, rings, section.centroid, False)
-        told += folds_told(stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support)
+        told += told_backward(stations) + folds_told(
+            stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support
+        )
         if backward:
             section, bending = section.mirrored, replace(bending, mirrored=True)
         return section, bending, stations, told

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Steps: how the rings of a sweep follow each other, and what each step gives to the rings at its ends."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from .parameters import require, spelled
@@ -40,6 +42,17 @@ def require_short(stations, fit):
     sentence = f"must be more if the fit is {spelled(fit)}: a chord may leave the trajectory by {limit:.0f} degrees"
     require(angle <= limit, f"{sentence} at u = {stations.u[leg]:.6g}", round(angle, 1), "samples")
     return cosine
+
+
+@lru_cache(maxsize=16)
+def told_backward(stations):
+    """What is to be told where a step goes against the trajectory, so that the sweep is inside out along it."""
+    legs = directions(stations)
+    along = np.minimum(dot(legs, stations.leave[stations.starts]), dot(legs, stations.arrive[stations.onward]))
+    if along.min() > 0:
+        return ()
+    place = f"from u = {stations.u[along.argmin()]:.4g} on a chord runs against the trajectory"
+    return (f"Samples: {place}, and the sweep is inside out there: it takes more contours.",)
 
 
 def to_both(stations, starts, ends, join):

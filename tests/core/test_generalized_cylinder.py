@@ -250,3 +250,14 @@ def test_a_contour_chosen_by_its_name_passes_between_the_turns_of_the_default_he
     reach = np.linalg.norm(shape.contour.section().points, axis=1).max()
     assert reach < apart / 2
     assert reach > apart / 6 or kind is ScrewThread
+
+
+@pytest.mark.parametrize("turns", [2, 3, 4])
+def test_contours_too_few_to_follow_the_path_are_told(turns):
+    """Half a turn between contours is the border: from there a chord runs against the helix where it leaves it."""
+    for contours in range(3, 5 * turns):
+        mesh = GeneralizedCylinder(Circle(0.05), Helix(turns=turns), Count(contours)).mesh()
+        if turns / (contours - 1) < 0.5:
+            assert mesh.volume() > 0 and mesh.told == ()
+        elif 0.55 < turns / (contours - 1) < 0.95:  # the helix also rises
+            assert mesh.volume() < 0 and mesh.told[0].startswith("Samples: from u = ")
