@@ -107,14 +107,14 @@ class GeneralizedCylinder:
     offset_y: Law = parameter(0.0, "Offset from the path along e3", unit="length", group="Along the Path")
     start: End = parameter(Flat(), "What closes the start", group="Ends")
     end: End = parameter(Flat(), "What closes the end", group="Ends")
-    texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
-    attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
-    fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape")
     morph: tuple[Morph, ...] = parameter((), "What the contour becomes on the way", most=100, group="Morph")
     match: Match = parameter(Match.BY_ARC_LENGTH, "Which points of the contours belong together", group="Morph")
     blend: Blend = parameter(Blend.LINEAR, "How one contour becomes the next", group="Morph")
     rails: tuple[Rail, ...] = parameter((), "One turns the contour, two also set its width", most=2, group="Rails")
     guided: Guided = parameter(Guided.EVENLY, "How two rails scale the contour", group="Rails")
+    texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
+    attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
+    fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape")
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
