@@ -70,7 +70,8 @@ def changed_inputs(updates):
         update.id.original for update in updates if isinstance(update.id, bpy.types.Object) and update.id.type in INPUTS
     }
     parents = (ob.parent for ob in found if ob.type == "EMPTY" and ob.parent)
-    return found | {ob for ob in parents if ob.type == "EMPTY"}
+    found |= {ob for ob in parents if ob.type == "EMPTY"}
+    return {ob for ob in found if ob.users > len(ob.users_collection)}  # the others are only in collections
 
 
 def users_of(changed):
