@@ -15,7 +15,7 @@ from functools import cache, cached_property, partial
 from math import inf
 from numbers import Real
 from types import UnionType
-from typing import dataclass_transform, get_args, get_origin, get_type_hints
+from typing import dataclass_transform, get_args, get_origin
 
 import numpy as np
 
@@ -170,9 +170,10 @@ def declared(cls):
 @cache
 def parameters(cls):
     """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
-    hints = get_type_hints(cls)
-    found = (Parameter(f.name, hints[f.name], f.default, **f.metadata) for f in fields(cls))
-    return tuple(replace(p, default=coerce(p, p.default)) for p in found)
+    found = tuple(Parameter(f.name, f.type, f.default, **f.metadata) for f in fields(cls))
+    for p in found:
+        p.__dict__["default"] = coerce(p, p.default)  # nobody else has seen it
+    return found
 
 
 @cache
@@ -182,14 +183,16 @@ def inside(union, kind):
     default = union.default if isinstance(union.default, kind) else likened(union.default)
     others = (union.others or {}).get(kind, {})
     return tuple(
-        replace(
-            p,
-            default=coerce(p, others[p.name]) if p.name in others else getattr(default, p.name, p.default),
-            unit=p.unit or union.unit,
-            doc=union.doc if p.shorthand else p.doc,
-        )
+        told(p, union, coerce(p, others[p.name]) if p.name in others else getattr(default, p.name, p.default))
         for p in parameters(kind)
     )
+
+
+def told(p, union, default):
+    """A parameter of a kind with what a union says of it; the same one where that is nothing."""
+    changes = {"default": default, "unit": p.unit or union.unit, "doc": union.doc if p.shorthand else p.doc}
+    same = all(getattr(p, name) is value for name, value in changes.items())
+    return p if same else replace(p, **changes)
 
 
 def coerce(p, value):
