@@ -7,7 +7,6 @@ cyclic Bezier spline at its last knot.
 """
 
 import numpy as np
-from bpy_extras import anim_utils
 
 from ..core.contours import Circle, Rectangle
 from ..core.frames import FixedUp, RotationMinimizing
@@ -93,6 +92,8 @@ def animated(data):
     moved = data.animation_data
     if not moved:
         return set()
+    from bpy_extras import anim_utils  # a millisecond of a start, for curves that are animated
+
     bag = anim_utils.action_get_channelbag_for_slot(moved.action, moved.action_slot) if moved.action else None
     return {curve.data_path for curve in (*(bag.fcurves if bag else ()), *moved.drivers)}
 
