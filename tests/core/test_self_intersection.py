@@ -13,7 +13,7 @@ from sweep_addon.core.frames import RotationMinimizing
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.sampling import Count
 from sweep_addon.core.self_intersection.faces import faces_of
-from sweep_addon.core.self_intersection.folds import turning_back
+from sweep_addon.core.self_intersection.folds import roots, turning_back
 from sweep_addon.core.trajectories import Arc, Formula, Helix, Line, Polyline, TorusKnot
 
 KNOT = TorusKnot(2, 3, major=2.0, minor=0.8)
@@ -308,3 +308,9 @@ def test_of_open_lines_the_gap_does_not_cross():
     open_line = Outline([arc], closed=False)
     assert not found(open_line, Helix(radius=4.0, pitch=4.0))
     assert found(open_line, Helix(radius=4.0, pitch=1.0))
+
+
+def test_a_root_is_found_where_it_is_an_end_of_its_interval_too():
+    low, high = np.array([1.0, 0.0, -1.0]), np.array([3.0, 2.0, 1.0])
+    found = roots(lambda x: x**3 - 1, low, high, low**3 - 1, high**3 - 1)
+    assert np.abs(found - 1).max() < 1e-9

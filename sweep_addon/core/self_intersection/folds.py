@@ -57,7 +57,8 @@ def roots(function, low, high, at_low, at_high):
     """Where a function changes its sign between pairs of places, by the Illinois method: (n,)."""
     width = 1e-11 * (high - low)
     for step in range(STEPS if len(low) else 0):
-        middle = high - at_high * (high - low) / (at_high - at_low)
+        span = at_high - at_low
+        middle = high - at_high * (high - low) / np.where(span, span, 1.0)  # none where both ends have met at the place
         if step % 4 == 3:
             middle = (low + high) / 2
         found = function(middle)
