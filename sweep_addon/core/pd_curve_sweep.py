@@ -31,6 +31,7 @@ AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle:
 SMOOTH = {Polyline: {"corner": "round"}}
 AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
 SHORTEST = 1e-9  # of the axis, between two planes
+COARSE, FINEST = 1e-3, 1e-6  # of the contour: how far from the cut the edge of a cap may be where samples do not say
 CORNER = np.radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
 
 
@@ -191,7 +192,19 @@ class PDCurveSweep:
         )
         if backward:
             section, bending = section.mirrored, replace(bending, mirrored=True)
-        return section, bending, stations, told
+        return self.fine(section, bending), bending, stations, told
+
+    def fine(self, section, bending):
+        """The section with as many points as the cuts of its limiting planes bend."""
+        ends = ("start", self.start, False), ("end", self.end, True)
+        planes = [end for end in ends if isinstance(end[1], Plane) and not self.trajectory.closed]
+        if not planes or self.trajectory.straight:
+            return section
+        from .trimming import divided
+
+        size = float(np.abs(section.points).max())
+        chord = COARSE * size if isinstance(self.samples, Count) else self.samples.chord
+        return divided(section, planes, bending, max(chord, FINEST * size))
 
     def rings(self, section, bending, stations, limits):
         """The heights of all points of each ring, (m, n), which of them lean, (n,) bool, and the axis there."""

@@ -10,15 +10,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from .parameters import ShapeError, require
+from .parameters import ShapeError, at, require
 from .self_intersection.folds import roots
-from .vectors import unit
+from .vectors import norms, unit
 
 PLACES = 257  # at least, where it is looked at on which side of the plane the lines are
 FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
 ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
 CLOSEST = 1e-3  # of the mean step: a ring nearer to another would make slivers
 ONCE = "must cut the line of every point of the contour once"
+HALVINGS = 12  # of an edge at most: what is missed falls to a quarter with each
 FLAT = 1e-9  # the sine of the angle between a plane and the axis beyond its end: it is never cut there
 
 
@@ -85,6 +86,38 @@ def crossings(plane, bending, section, low, high):
         return plane.heights(bending.bend(np.column_stack((section.points, z))))
 
     return roots(above, low, high, above(low), above(high))
+
+
+def divided(section, planes, bending, tolerance):
+    """A section whose edges are halved until straight lines between its points are where planes cut the surface.
+
+    Parameters
+    ----------
+    section : Section
+    planes : sequence of (str, Plane, bool)
+        The key of each, and whether it is at the end of the axis.
+    bending : Bending
+    tolerance : float
+        How far from the cut the middle of an edge may be, in metres.
+
+    Returns
+    -------
+    Section
+    """
+    for _ in range(HALVINGS):
+        ahead = section.following.copy()
+        ahead[section.gaps] = section.gaps
+        middles = (section.points + section.points[ahead]) / 2
+        both, missed = replace(section, points=np.concatenate((section.points, middles))), np.zeros(len(ahead))
+        for key, plane, at_end in planes:
+            with at(key):
+                heights = cuts(plane, bending, both, at_end)
+            ends, between = np.split(bending.bend(np.column_stack((both.points, heights))), 2)
+            missed = np.maximum(missed, norms(between - (ends + ends[ahead]) / 2))
+        if missed.max() <= tolerance:
+            break
+        section = section.divided(missed > tolerance)
+    return section
 
 
 def ranged(stations, total, starts, ends):

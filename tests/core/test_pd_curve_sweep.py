@@ -257,7 +257,7 @@ def test_a_job_holds_all_of_it():
 
 
 def random_shape(rng):
-    """A shape of any kinds, with the Euler characteristic that it must have and its boundary edges."""
+    """A shape of any kinds, with the Euler characteristic that it must have and how many of its ends are open."""
     length = rng.uniform(2, 4)
     steps = rng.uniform((0.3, -0.4, -0.4), (1, 0.4, 0.4), (5, 3))
     trajectory, side = [
@@ -292,7 +292,27 @@ def random_shape(rng):
     opened = 0 if closed else sum(isinstance(limit, Open) for limit in limits)
     euler = 0 if closed else sum((1 - hole) * (2 - opened) for hole in holes)
     shape = PDCurveSweep(contour, trajectory, direction, *limits, Count(int(rng.integers(12, 40))))
-    return shape, euler, opened * len(contour.section().points)
+    return shape, euler, opened
+
+
+@pytest.mark.parametrize("chord", [1e-3, 1e-4, 1e-5])
+def test_the_cut_of_a_bent_beam_is_followed_between_the_corners_of_its_contour(chord):
+    """Over each place of the contour the beam is as long as its radius times the angle at which the plane is reached.
+
+    That angle p solves r (sin p - 0.3 cos p) + 0.6 z = 1. The integral is Gauss-Legendre's, exact to rounding; edges
+    that are all straight are off by a hundredth. What chords miss is at most the surface times the tolerance.
+    """
+    shape = PDCurveSweep(
+        Rectangle(1.6, 0.4), Arc(2.0, np.pi / 2), Arrows([(0, 0, 0, 1)]), end=Plane((0, 1, 0), (-0.3, 1, 0.6)),
+        samples=Tolerance(chord),
+    )  # fmt: skip
+    places, weights = np.polynomial.legendre.leggauss(40)
+    z, r = 0.8 * places[:, None], 2 + 0.2 * places
+    angle = np.arctan(0.3) + np.arcsin((1 - 0.6 * z) / (r * np.sqrt(1.09)))
+    truth = 0.8 * 0.2 * weights @ (r * angle) @ weights
+    mesh = shape.mesh()
+    assert abs(mesh.volume() - truth) < mesh.area() * chord
+    assert_solid(mesh, 2, 0)
 
 
 @pytest.mark.parametrize("hundred", range(10))
@@ -300,15 +320,15 @@ def test_a_thousand_random_shapes_are_solids(hundred):
     """Those that are not refused, at most one in twenty, are closed, manifold and outward, and so are bounded ones."""
     refused = 0
     for seed in range(100):
-        shape, euler, boundary = random_shape(np.random.default_rng((hundred, seed)))
+        shape, euler, opened = random_shape(np.random.default_rng((hundred, seed)))
         try:
             mesh = shape.mesh()
         except ShapeError as error:
             assert any(words in str(error) for words in REFUSALS), error
             refused += 1
             continue
-        assert_solid(mesh, euler, boundary)
-        section = shape.contour.section()
+        section = shape.laid_out()[0]  # which may have more points than the contour, where planes cut a bend
+        assert_solid(mesh, euler, opened * len(section.points))
         for limit, side in ((shape.start, 0), (shape.end, -1)):
             if isinstance(limit, Plane) and not shape.trajectory.closed:
                 assert np.abs(limit.heights(columns(mesh, section)[:, side])).max() < 1e-14

@@ -203,6 +203,18 @@ class Section:
         flipped = replace(self, points=self.points * (-1, 1))
         return flipped.reversed(np.full(len(self.offsets) - 1, True))
 
+    def divided(self, edges):
+        """The section with a further point in the middle of some of its edges, given as (m,) bool array."""
+        after = np.flatnonzero(edges) + 1
+        middles = (self.points[edges] + self.points[self.following[edges]]) / 2
+        offsets = self.offsets + np.searchsorted(after, self.offsets, side="right")
+        return replace(
+            self,
+            points=np.insert(self.points, after, middles, axis=0),
+            offsets=offsets,
+            sharp=np.insert(self.sharp, after, False),
+        )
+
     def reversed(self, which):
         """The section with the loops where (k,) bools say so run backwards, closed ones from the same first point."""
         first = self.offsets[:-1][self.loop_of]
