@@ -38,8 +38,8 @@ def empty(place, turn=(0, 0, 0), parent=None):
 
 
 def ends(ob):
-    """The corners of the first and the last ring, (4, 3) each: columns are nine vertices long."""
-    columns = places(ob.data).reshape(4, -1, 3)
+    """The points of the first and the last ring, (m, 3) each."""
+    columns = places(ob.data).reshape(-1, ob.data.sweep.rings, 3)
     return columns[:, 0], columns[:, -1]
 
 
