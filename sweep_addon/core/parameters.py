@@ -170,10 +170,8 @@ def declared(cls):
 @cache
 def parameters(cls):
     """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
-    found = tuple(Parameter(f.name, f.type, f.default, **f.metadata) for f in fields(cls))
-    for p in found:
-        p.__dict__["default"] = coerce(p, p.default)  # nobody else has seen it
-    return found
+    found = (Parameter(f.name, f.type, f.default, **f.metadata) for f in fields(cls))
+    return tuple(replace(p, default=coerce(p, p.default)) for p in found)
 
 
 @cache

@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 import sweep_addon as sw
 from sweep_addon.core import contours, corners, ends, frames, trajectories
 from sweep_addon.core.forms import dump, load, plain, python_source, tables, toml
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.laws import Constant
+from sweep_addon.core.parameters import ShapeError, inside, parameters
 from sweep_addon.core.shapes import SHAPES, GeneralizedCylinder
 
 RING = np.stack([np.cos(np.arange(40) / 7), np.sin(np.arange(40) / 7)], axis=1)
@@ -159,3 +160,10 @@ def test_a_value_never_changes():
     with pytest.raises(FrozenInstanceError):
         del circle.radius
     assert circle == replace(circle) == pickle.loads(pickle.dumps(circle)) and circle.radius == 2.0
+
+
+def test_a_kind_begins_with_the_value_that_its_union_begins_with():
+    """A law is 1 by itself, but an offset and a twist begin at 0."""
+    declared = {p.name: p for p in parameters(GeneralizedCylinder)}
+    for name, value in {"scale_x": 1.0, "twist": 0.0, "offset_x": 0.0, "offset_y": 0.0}.items():
+        assert inside(declared[name], Constant)[0].default == value
