@@ -8,9 +8,10 @@ from bpy.types import Operator
 from ..sweep_addon.bridge import objects, rna
 from ..sweep_addon.core.parameters import ShapeError, parameters
 from ..sweep_addon.core.wording import shown
+from .on_sweep import OnSweep
 
 
-class OBJECT_OT_sweep_item_add(Operator):
+class OBJECT_OT_sweep_item_add(OnSweep, Operator):
     """Add one more to a list of the active sweep"""
 
     bl_idname = "object.sweep_item_add"
@@ -18,13 +19,6 @@ class OBJECT_OT_sweep_item_add(Operator):
     bl_options = {"REGISTER", "UNDO", "INTERNAL"}
 
     parameter: StringProperty(name="Parameter", description="The list that is added to")
-
-    @classmethod
-    def poll(cls, context):
-        if objects.is_editable_sweep(context.active_object):
-            return True
-        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
-        return False
 
     def execute(self, context):
         sweep = context.active_object.data.sweep
@@ -39,7 +33,6 @@ class OBJECT_OT_sweep_item_add(Operator):
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        sweep.paused = True
-        rna.write(getattr(group, p.name).add(), parameters(p.item), more)
-        sweep.paused = False
+        with rna.at_once(sweep):
+            rna.write(getattr(group, p.name).add(), parameters(p.item), more)
         return {"FINISHED"}

@@ -7,6 +7,7 @@ from bpy.types import Operator
 
 from ..sweep_addon.bridge import beside, curves, objects
 from ..sweep_addon.core.parameters import ShapeError, parameters
+from .on_sweep import OnSweep
 
 EDITABLE = {
     "trajectory": "The path along which the contour moves",
@@ -15,7 +16,7 @@ EDITABLE = {
 }
 
 
-class OBJECT_OT_sweep_edit_as_curve(Operator):
+class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
     """Make a curve object of the contour, trajectory or direction, which the sweep then follows"""
 
     bl_idname = "object.sweep_edit_as_curve"
@@ -27,13 +28,6 @@ class OBJECT_OT_sweep_edit_as_curve(Operator):
         description="What becomes a curve",
         items=[(name, name.title(), doc) for name, doc in EDITABLE.items()],
     )
-
-    @classmethod
-    def poll(cls, context):
-        if objects.is_editable_sweep(context.active_object):
-            return True
-        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
-        return False
 
     def execute(self, context):
         ob = context.active_object

@@ -5,11 +5,12 @@
 from bpy.props import IntProperty, StringProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.bridge import objects, rna
 from ..sweep_addon.core.parameters import parameters
+from .on_sweep import OnSweep
 
 
-class OBJECT_OT_sweep_item_remove(Operator):
+class OBJECT_OT_sweep_item_remove(OnSweep, Operator):
     """Take this out of the list"""
 
     bl_idname = "object.sweep_item_remove"
@@ -19,13 +20,6 @@ class OBJECT_OT_sweep_item_remove(Operator):
     parameter: StringProperty(name="Parameter", description="The list that something is taken out of")
     number: IntProperty(name="Number", description="Which of it, from 1", default=1, min=1)
 
-    @classmethod
-    def poll(cls, context):
-        if objects.is_editable_sweep(context.active_object):
-            return True
-        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
-        return False
-
     def execute(self, context):
         sweep = context.active_object.data.sweep
         shape, group = objects.group_of(sweep.id_data)
@@ -34,7 +28,6 @@ class OBJECT_OT_sweep_item_remove(Operator):
         if self.number > len(held):
             self.report({"ERROR"}, f"The {objects.title(shape).lower()} has no {self.parameter} {self.number}")
             return {"CANCELLED"}
-        sweep.paused = True
-        held.remove(self.number - 1)
-        sweep.paused = False
+        with rna.at_once(sweep):
+            held.remove(self.number - 1)
         return {"FINISHED"}

@@ -8,6 +8,7 @@ that operators, presets, scripts and keyframes reach each by a plain name. A lis
 
 import json
 import zlib
+from contextlib import contextmanager
 from dataclasses import replace
 from enum import EnumMeta
 from functools import cache, lru_cache
@@ -229,14 +230,21 @@ def assign(sweep, shape, **objects):
     """Make a mesh's parameters describe a shape, some of them given by objects, and rebuild once."""
     name = spelled(type(shape), "_")
     group = getattr(sweep, name)
-    sweep.paused = True
-    try:
+    with at_once(sweep):
         sweep.kind = name.upper()
         write(group, parameters(type(shape)), shape)
         for key, ob in objects.items():
             held_by, name = holder(group, key)
             setattr(held_by, f"{name}_object", ob)
             setattr(held_by, name, "OBJECT")
+
+
+@contextmanager
+def at_once(sweep):
+    """Change as much as you like of a sweep's parameters: it is rebuilt once, at the end."""
+    sweep.paused = True
+    try:
+        yield
     finally:
         sweep.paused = False
 

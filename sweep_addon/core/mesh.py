@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A mesh of arrays, and what can be measured on it."""
 
-from dataclasses import field
 from functools import cached_property
 
 import numpy as np
@@ -121,7 +120,7 @@ class Mesh:
     vertices: np.ndarray
     topology: Topology
     chart: object = None
-    told: tuple = field(default=())
+    told: tuple = ()
 
     def __repr__(self):
         return f"{type(self).__name__}({len(self.vertices)} vertices, {len(self.offsets) - 1} faces)"
