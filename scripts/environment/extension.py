@@ -4,7 +4,7 @@
 
 import os
 
-from . import BUILD, CHECKOUT, venvs
+from . import BUILD, CHECKOUT, packages
 
 NAME = "bl_ext.user_default.sweep_addon"
 USER = BUILD / "blender-user"
@@ -26,7 +26,7 @@ def sweep(blender, *arguments):
     return started(blender, "--background", "--command", "sweep", *map(str, arguments))
 
 
-def variables(blender, user, *packages):
+def variables(blender, user, *parts):
     """A Blender's environment variables: its user folder, and packages for its Python; the wheel's has them."""
-    path = {"PYTHONPATH": venvs.inside(*packages)} if blender.real else {}
+    path = {"PYTHONPATH": packages.inside(*parts)} if blender.real else {}
     return {**os.environ, "BLENDER_USER_RESOURCES": str(user), **path}

@@ -9,7 +9,7 @@ import sys
 import time
 from dataclasses import dataclass, replace
 
-from . import BUILD, CHECKOUT, SetupError, blenders, extension, venvs
+from . import BUILD, CHECKOUT, SetupError, blenders, extension, packages, venvs
 from .package import package
 from .running import Counts, program, suite
 
@@ -79,7 +79,7 @@ def blender(arguments):
     """the real Blender in background, the checkout as a live extension."""
     found = blenders.real()
     print(f"    {found.title}", flush=True)
-    environment = {"PYTHONPATH": venvs.inside("libraries", "tests")}
+    environment = {"PYTHONPATH": packages.inside("libraries", "tests")}
     return through_pytest_blender("blender", environment, *arguments, "--", "--factory-startup", *INSIDE_BLENDER)
 
 
@@ -91,7 +91,7 @@ def installed(arguments):
     theirs = {"SWEEP_BLENDER_USER": str(user)}
     zipped = {**theirs, "SWEEP_ZIP": str(package(found))}
     counts = suite("zip", venvs.made(venvs.PLAIN), "tests/package", environment=zipped)
-    theirs["PYTHONPATH"] = venvs.inside("tests")
+    theirs["PYTHONPATH"] = packages.inside("tests")
     return counts + through_pytest_blender("installed", theirs, *arguments, "--", *INSIDE_BLENDER)
 
 

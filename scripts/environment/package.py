@@ -8,8 +8,9 @@ import shutil
 import subprocess
 import zipfile
 
-from . import BUILD, CHECKOUT, SetupError, venvs
-from .steps import show, step
+from . import BUILD, CHECKOUT, SetupError
+from .packages import wheels
+from .steps import show
 
 WORK = BUILD / "package"
 LOGGED = re.compile(r"\d+:\d\d\.\d+ ")  # a line of Blender's own log, which may warn of the machine
@@ -42,19 +43,6 @@ def add_wheels(source):
         names.append(f"./wheels/{wheel.name}")
     text = manifest.read_text()
     manifest.write_text(re.sub(r"^\[", f"wheels = {json.dumps(names)}\n\n[", text, count=1, flags=re.MULTILINE))
-
-
-def wheels():
-    """The pinned wheels, downloaded once."""
-    folder = BUILD / "wheels"
-    stamp = folder / "pinned.txt"
-    if not stamp.exists() or stamp.read_text() != venvs.PINNED.read_text():
-        shutil.rmtree(folder, ignore_errors=True)
-        pip = [venvs.made(venvs.PLAIN), "-I", "-m", "pip", "download", "--quiet", "--disable-pip-version-check"]
-        options = ["--no-deps", *venvs.PURE, "--requirement", venvs.PINNED, "--dest", folder]
-        step("wheels to bundle", [*pip, *options])
-        shutil.copy(venvs.PINNED, stamp)
-    return sorted(folder.glob("*.whl"))
 
 
 def extension(blender, *arguments):

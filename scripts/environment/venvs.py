@@ -3,7 +3,6 @@
 """The virtual environments: each made once, and again when what it should hold changes."""
 
 import hashlib
-import os
 import re
 import shutil
 import subprocess
@@ -48,11 +47,6 @@ class Environment:
 BLENDER = Environment("Python with the bpy wheel", CHECKOUT / ".venv", python_with_wheel, ("-e", ".[blender,test]"))
 PLAIN = Environment("plain Python", BUILD / "venv" / "plain", any_python, ("-e", ".[test]"))
 NUMPY = Environment("Python with NumPy alone", BUILD / "venv" / "numpy", any_python, ("numpy", "pytest", "hypothesis"))
-
-INSIDE = BUILD / "inside"
-PINNED = Path(__file__).with_name("wheels.txt")
-PARTS = {"libraries": ("--no-deps", "--requirement", str(PINNED)), "tests": ("pytest", "hypothesis")}
-PURE = ("--only-binary=:all:", "--platform=any", "--implementation=py", "--abi=none", "--python-version=3.11")
 
 
 def made(environment):
@@ -105,16 +99,3 @@ def import_bpy(python):
     return subprocess.run(
         [python, "-I", "-c", "import bpy, os; os._exit(0)"], capture_output=True, text=True, timeout=120, cwd=BUILD
     )
-
-
-def inside(*parts):
-    """Folders of pure Python packages for the Python inside a real Blender, as its PYTHONPATH."""
-    for part in parts:
-        folder, stamp = INSIDE / part, hashlib.sha256(repr((PARTS[part], PINNED.read_text())).encode()).hexdigest()
-        with locked(BUILD / "venv" / "inside.lock"):
-            if not (folder / "stamp").exists() or (folder / "stamp").read_text() != stamp:
-                shutil.rmtree(folder, ignore_errors=True)
-                pip = [made(PLAIN), "-I", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PURE]
-                step(f"for Blender's Python: {part}", [*pip, "--target", folder, *PARTS[part]])
-                (folder / "stamp").write_text(stamp)
-    return os.pathsep.join(str(INSIDE / part) for part in parts)

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The zip, as a user meets it: what is in it, installing it, its command, and taking it off again."""
 
+import itertools
 import os
+import re
 import subprocess
 import tomllib
 import zipfile
@@ -52,7 +54,15 @@ def test_bundled_wheels_run_on_every_platform_and_are_declared(names):
     with zipfile.ZipFile(ZIP) as packed:
         manifest = tomllib.loads(packed.read("blender_manifest.toml").decode())
     assert bundled == set(manifest["wheels"])
-    assert all(name.endswith("-none-any.whl") for name in bundled)
+    pure = {name for name in bundled if name.endswith("-none-any.whl")}
+    assert {name.rpartition("/")[2].partition("-")[0] for name in pure} == {"svgelements", "fonttools"}
+    compiled = [name.removesuffix(".whl").split("-") for name in bundled - pure]
+    assert {name for name, *_ in compiled} == {"./wheels/manifold3d"}
+    systems = "manylinux.*x86_64", "win_amd64", "win_arm64", "macosx.*x86_64", "macosx.*arm64"
+    pythons = "cp311", "cp313", "cp314"
+    assert len(compiled) == len(systems) * len(pythons)
+    for python, system in itertools.product(pythons, systems):
+        assert any(tag == python and re.fullmatch(system, machine) for _, _, tag, _, machine in compiled)
 
 
 def test_zip_installs_and_enables(installed):
@@ -66,7 +76,9 @@ def test_command_is_there_once_installed(installed):
 
 
 def test_bundled_libraries_are_imported_from_the_extension(installed):
-    answer = blender("--python-exit-code", "1", "--python-expr", "import svgelements, fontTools; print(svgelements)")
+    answer = blender(
+        "--python-exit-code", "1", "--python-expr", "import svgelements, fontTools, manifold3d; print(svgelements)"
+    )
     assert answer.returncode == 0, answer.stdout
     assert os.environ["SWEEP_BLENDER_USER"] in answer.stdout
 

@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Booleans of solids: the one place that asks manifold3d, in double precision and only when something is made.
+
+A *body* is manifold3d's own form of a closed mesh. Who makes many and wants one keeps bodies until the end, for going
+to and fro costs more than a hull does; who has meshes and wants a mesh asks `union`, `difference` and `intersection`.
+"""
+
+import numpy as np
+
+from .parameters import ShapeError, require
+from .polyhedron import polyhedron
+from .runs import run_of
+
+MISSING = "needs the library manifold3d, which is missing here: pip install manifold3d"
+ROUNDING = 1e-14  # of the cube about some points: less is no volume
+
+
+def library():
+    """The module manifold3d, or a refusal that says how to get it."""
+    try:
+        import manifold3d
+    except ImportError as error:
+        raise ShapeError(f"A union of solids {MISSING}") from error
+    return manifold3d
+
+
+def body(vertices, triangles, faces=None):
+    """The body of a closed mesh of triangles.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float array
+        Places in metres.
+    triangles : (t, 3) int array
+        Vertices of each triangle, counter-clockwise from outside.
+    faces : (t,) int array, optional
+        A number for each triangle that every part of it keeps, whatever is done with the body; triangles that lie in a
+        plane may share theirs, and then what divides that face is no more kept than it must be.
+
+    Raises
+    ------
+    ShapeError
+        For a mesh that is not closed, manifold and oriented.
+    """
+    manifold3d = library()
+    named = {} if faces is None else {"face_id": np.asarray(faces, np.uint64)}
+    vertices = np.ascontiguousarray(vertices, np.float64)
+    made = manifold3d.Manifold(manifold3d.Mesh64(vertices, np.ascontiguousarray(triangles, np.uint64), **named))
+    status = made.status()
+    require(status == manifold3d.Error.NoError, "A boolean takes closed, manifold, oriented meshes", status.name)
+    return made
+
+
+def body_of(mesh):
+    """The body of a `Mesh`, its faces cut into fans of triangles."""
+    return body(mesh.vertices, *fans(mesh))
+
+
+def fans(mesh):
+    """The triangles (t, 3) that faces are cut into from their first corners, and the face of each, (t,)."""
+    first, face = mesh.offsets[:-1], run_of(mesh.offsets)
+    last = np.full(len(face), False)
+    last[mesh.offsets[1:] - 1] = True
+    middle = np.flatnonzero(~last & ~np.isin(np.arange(len(face)), first))
+    corners = np.stack((first[face[middle]], middle, middle + 1), axis=1)
+    return mesh.corners[corners], face[middle]
+
+
+def hull_body(points):
+    """The body of the convex hull of points (n, 3); one that holds nothing where they lie in a plane."""
+    return library().Manifold.hull_points(np.ascontiguousarray(points, np.float64))
+
+
+def united(bodies):
+    """The body of everything that is in any of some bodies."""
+    manifold3d = library()
+    return manifold3d.Manifold.batch_boolean(list(bodies), manifold3d.OpType.Add)
+
+
+def arrays(body):
+    """The mesh of a body: vertices (n, 3) float64, triangles (t, 3) int32."""
+    mesh = body.to_mesh64()
+    return np.array(mesh.vert_properties[:, :3]), mesh.tri_verts.astype(np.int32)
+
+
+def mesh_of(body):
+    """The body as a `Mesh` of triangles."""
+    return polyhedron(*arrays(body))
+
+
+def union(meshes):
+    """Everything that is in any of some solids.
+
+    Parameters
+    ----------
+    meshes : sequence of Mesh
+        Closed, manifold and oriented. None of them may cross itself: what such a one would give is not defined.
+
+    Returns
+    -------
+    Mesh
+        Of triangles, closed and manifold.
+
+    Raises
+    ------
+    ShapeError
+        For a mesh that is not closed, or where manifold3d is missing.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> from sweep_addon.core.translational_sweep import TranslationalSweep
+    >>> bar = TranslationalSweep(Rectangle(3.0, 1.0), height=1.0).mesh()
+    >>> cross = union([bar, TranslationalSweep(Rectangle(1.0, 3.0), height=1.0).mesh()])
+    >>> round(cross.volume(), 12), cross.euler_characteristic()
+    (5.0, 2)
+    """
+    return mesh_of(united(map(body_of, meshes)))
+
+
+def difference(mesh, others):
+    """Everything that is in a solid and in none of some others.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    others : sequence of Mesh
+        All closed, manifold and oriented, and none crosses itself.
+
+    Returns
+    -------
+    Mesh
+        Of triangles; without any where nothing is left.
+
+    Raises
+    ------
+    ShapeError
+        For a mesh that is not closed, or where manifold3d is missing.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> from sweep_addon.core.translational_sweep import TranslationalSweep
+    >>> block, hole = (TranslationalSweep(Rectangle(w, w), height=1.0).mesh() for w in (3.0, 1.0))
+    >>> frame = difference(block, [hole])
+    >>> round(frame.volume(), 12), frame.euler_characteristic()
+    (8.0, 0)
+    """
+    manifold3d = library()
+    bodies = [body_of(mesh), *map(body_of, others)]
+    return mesh_of(manifold3d.Manifold.batch_boolean(bodies, manifold3d.OpType.Subtract))
+
+
+def intersection(meshes):
+    """Everything that is in all of some solids.
+
+    Parameters
+    ----------
+    meshes : sequence of Mesh
+        All closed, manifold and oriented, and none crosses itself.
+
+    Returns
+    -------
+    Mesh
+        Of triangles; without any where nothing is left.
+
+    Raises
+    ------
+    ShapeError
+        For a mesh that is not closed, or where manifold3d is missing.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> from sweep_addon.core.translational_sweep import TranslationalSweep
+    >>> bars = [TranslationalSweep(Rectangle(w, 4.0 - w), height=1.0).mesh() for w in (1.0, 3.0)]
+    >>> round(intersection(bars).volume(), 12)
+    1.0
+    """
+    manifold3d = library()
+    return mesh_of(manifold3d.Manifold.batch_boolean(list(map(body_of, meshes)), manifold3d.OpType.Intersect))
+
+
+def hull(points):
+    """The convex hull of points.
+
+    Parameters
+    ----------
+    points : (n, 3) float array
+        Places in metres, not all in one plane.
+
+    Returns
+    -------
+    Mesh
+        Of triangles.
+
+    Raises
+    ------
+    ShapeError
+        For points in a plane, or where manifold3d is missing.
+
+    Examples
+    --------
+    >>> round(hull(np.eye(4, 3)).volume() * 6, 12)
+    1.0
+    """
+    points = np.asarray(points, np.float64)
+    made, size = hull_body(points), np.ptp(points, axis=0).max()
+    require(made.volume() > ROUNDING * size**3, "The points of a hull must not lie in one plane", len(points))
+    return mesh_of(made)
+
+
+def hulls_union(clouds):
+    """Everything that is in the convex hull of any of some clouds of points.
+
+    Parameters
+    ----------
+    clouds : sequence of (n, 3) float arrays
+        Places in metres; a cloud in a plane adds nothing.
+
+    Returns
+    -------
+    Mesh
+        Of triangles.
+
+    Raises
+    ------
+    ShapeError
+        Where manifold3d is missing.
+
+    Examples
+    --------
+    >>> cube = np.stack(np.meshgrid((0, 1), (0, 1), (0, 1)), axis=-1).reshape(-1, 3).astype(float)
+    >>> round(hulls_union([cube, cube + (0.5, 0, 0)]).volume(), 12)
+    1.5
+    """
+    return mesh_of(united(map(hull_body, clouds)))

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Booleans of solids and convex hulls."""
+
+import sys
+
+import numpy as np
+import pytest
+
+from sweep_addon.core.booleans import body_of, difference, hull, hulls_union, intersection, union
+from sweep_addon.core.contours import Circle, Rectangle
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.translational_sweep import TranslationalSweep
+
+needs_manifold3d = pytest.mark.usefixtures("manifold3d")
+
+
+@pytest.fixture
+def manifold3d():
+    return pytest.importorskip("manifold3d")
+
+
+def block(width, depth, height=1.0):
+    return TranslationalSweep(Rectangle(width, depth), height=height).mesh()
+
+
+def closed(mesh):
+    return not len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
+
+
+@needs_manifold3d
+def test_volumes_of_a_cross_obey_inclusion_and_exclusion():
+    bars = block(3.1, 0.7), block(0.9, 2.3)
+    both, common, first = union(bars), intersection(bars), difference(bars[0], bars[1:])
+    assert both.volume() == pytest.approx(3.1 * 0.7 + 0.9 * 2.3 - 0.9 * 0.7, rel=1e-14)
+    assert common.volume() == pytest.approx(0.9 * 0.7, rel=1e-14)
+    assert first.volume() == pytest.approx((3.1 - 0.9) * 0.7, rel=1e-14)
+    assert closed(both) and closed(common) and closed(first)
+
+
+@needs_manifold3d
+def test_vertices_that_nothing_cuts_come_back_to_the_bit():
+    tube = TranslationalSweep(Circle(1 / 3, points=32), height=np.pi).mesh()
+    far = block(0.1, 0.1)
+    far.vertices[:] += (10, 0, 0)
+    back = union([tube, far]).vertices
+    assert {tuple(v) for v in tube.vertices} | {tuple(v) for v in far.vertices} == {tuple(v) for v in back}
+
+
+@needs_manifold3d
+def test_hull_of_points_on_a_sphere_is_bounded_by_all_of_them():
+    points = np.random.default_rng(1).normal(size=(500, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    mesh = hull(points)
+    assert len(mesh.vertices) == 500 and mesh.euler_characteristic() == 2 and closed(mesh)
+
+
+@needs_manifold3d
+def test_union_of_two_hulls_that_overlap():
+    cube = np.stack(np.meshgrid(*[(0.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
+    assert hulls_union([cube, cube + 0.5]).volume() == pytest.approx(2 - 1 / 8, rel=1e-14)
+
+
+@needs_manifold3d
+def test_points_in_a_plane_and_open_meshes_are_refused():
+    with pytest.raises(ShapeError, match="must not lie in one plane, got 4"):
+        hull([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
+    with pytest.raises(ShapeError, match="takes closed, manifold, oriented meshes, got"):
+        body_of(TranslationalSweep(Rectangle(), end="open").mesh())
+
+
+def test_without_the_library_the_refusal_says_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "manifold3d", None)
+    with pytest.raises(ShapeError, match="pip install manifold3d"):
+        hull(np.eye(4, 3))
