@@ -8,9 +8,9 @@ to and fro costs more than a hull does; who has meshes and wants a mesh asks `un
 
 import numpy as np
 
+from .facets import facets
 from .parameters import ShapeError, require
 from .polyhedron import polyhedron
-from .runs import run_of
 
 MISSING = "needs the library manifold3d, which is missing here: pip install manifold3d"
 ROUNDING = 1e-14  # of the cube about some points: less is no volume
@@ -53,18 +53,8 @@ def body(vertices, triangles, faces=None):
 
 
 def body_of(mesh):
-    """The body of a `Mesh`, its faces cut into fans of triangles."""
-    return body(mesh.vertices, *fans(mesh))
-
-
-def fans(mesh):
-    """The triangles (t, 3) that faces are cut into from their first corners, and the face of each, (t,)."""
-    first, face = mesh.offsets[:-1], run_of(mesh.offsets)
-    last = np.full(len(face), False)
-    last[mesh.offsets[1:] - 1] = True
-    middle = np.flatnonzero(~last & ~np.isin(np.arange(len(face)), first))
-    corners = np.stack((first[face[middle]], middle, middle + 1), axis=1)
-    return mesh.corners[corners], face[middle]
+    """The body of a `Mesh`, its faces cut into triangles."""
+    return body(mesh.vertices, *facets(mesh))
 
 
 def hull_body(points):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.booleans import body_of, difference, hull, hulls_union, intersection, union
-from sweep_addon.core.contours import Circle, Rectangle
+from sweep_addon.core.contours import Circle, Rectangle, Star
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.translational_sweep import TranslationalSweep
 
@@ -73,3 +73,11 @@ def test_without_the_library_the_refusal_says_how_to_get_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "manifold3d", None)
     with pytest.raises(ShapeError, match="pip install manifold3d"):
         hull(np.eye(4, 3))
+
+
+@needs_manifold3d
+def test_a_concave_cap_is_cut_by_its_ears_and_not_in_a_fan():
+    """A fan from a star's first corner would leave triangles outside it, which a boolean takes for matter."""
+    star = TranslationalSweep(Star(points=5, outer=1.0, inner=0.2), height=1.0).mesh()
+    assert union([star]).volume() == pytest.approx(star.volume(), rel=1e-12)
+    assert len(union([star]).boundary_edges()) == 0
