@@ -65,7 +65,7 @@ def write(mesh, made, topology="", texture=""):
     mesh.attributes["position"].data.foreach_set("vector", values)
     write_texture(mesh, made.chart, texture.split("|") if texture.count("|") == 2 else ("", "", ""))
     mesh.update()
-    sample = values.reshape(-1, 3)[np.array(sampled(len(made.vertices)))]
+    sample = values.reshape(-1, 3)[sampled(len(made.vertices))]
     return made.topology.key, "|".join(made.chart.keys), total(sample, len(made.vertices), len(made.corners))
 
 
@@ -88,13 +88,14 @@ def mark(mesh):
         sample = np.empty(3 * len(places), np.float32)
         places.foreach_get("vector", sample)
     else:
-        sample = np.array([places[i].vector[:] for i in sampled(len(places))], np.float32)
+        looked_at = range(len(places))[sampled(len(places))]
+        sample = np.array([x for i in looked_at for x in places[i].vector], np.float32)
     return total(sample, len(places), len(mesh.loops))
 
 
 def sampled(count):
-    """The vertices that are looked at: all of them, or so many of a large mesh, evenly spread."""
-    return range(0, count, 1 if count <= SAMPLE else count // SPARSE)
+    """The vertices that are looked at, as a slice: all of them, or so many of a large mesh, evenly spread."""
+    return slice(0, count, 1 if count <= SAMPLE else count // SPARSE)
 
 
 def total(sample, vertices, corners):

@@ -19,7 +19,7 @@ from .parameters import ShapeError, declared, parameter, require
 from .rotations import rotated, signed_angle, turned, wrapped
 from .trajectories.arc_length import arc_length
 from .transport import transport
-from .vectors import unit
+from .vectors import cross, unit
 from .wording import near
 
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
@@ -161,7 +161,7 @@ class FixedUp(OfItsPlace):
 
     def angles(self, stations, normals, holonomy, symmetry):
         """The angle of the level normal from the rotation-minimizing normals, (n,), and a warning."""
-        level = np.cross(unit(np.array(self.up)[None]), stations.leave)
+        level = cross(unit(np.array(self.up)[None]), stations.leave)
         defined = np.linalg.norm(level, axis=1) > 1e-6
         found = signed_angle(normals, level, stations.leave)
         filled = fill(stations, found, defined, holonomy) if defined.any() else np.zeros(len(found))
@@ -206,7 +206,7 @@ def axes(frame, stations, twist, symmetry=1):
     e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
     if len(corners):
         e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
-        e3[corners] = np.cross(stations.tangent[corners], e2[corners])
+        e3[corners] = cross(stations.tangent[corners], e2[corners])
     return e2, e3, told
 
 
@@ -266,7 +266,7 @@ def rotation_minimizing(stations):
 @lru_cache(maxsize=16)
 def binormals(stations):
     """What is across the rotation-minimizing normals and ``stations.leave``: unit vectors, (n, 3)."""
-    return np.cross(stations.leave, rotation_minimizing(stations)[0])
+    return cross(stations.leave, rotation_minimizing(stations)[0])
 
 
 def first_normal(tangent):

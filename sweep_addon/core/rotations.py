@@ -6,13 +6,13 @@ from math import tau
 
 import numpy as np
 
-from .vectors import dot, unit
+from .vectors import cross, dot, unit
 
 
 def any_normal(tangents):
     """A unit vector across each tangent, from the axis it is least aligned with."""
     axis = np.eye(3)[np.abs(tangents).argmin(axis=1)]
-    return unit(np.cross(tangents, axis))
+    return unit(cross(tangents, axis))
 
 
 def reflect(vectors, normals):
@@ -29,7 +29,7 @@ def turned(vectors, start, end):
 
 def signed_angle(start, end, axis):
     """The angle that turns each start onto the projection of its end, about a unit axis."""
-    sine = dot(np.cross(axis, start), end)
+    sine = dot(cross(axis, start), end)
     return np.arctan2(sine, dot(start, end))
 
 
@@ -37,7 +37,7 @@ def rotated(normals, axis, angle):
     """Turn unit normals about the unit axes they are perpendicular to."""
     if not angle.any():
         return normals.copy()
-    return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * np.cross(axis, normals)
+    return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * cross(axis, normals)
 
 
 def wrapped(angle, period=tau):

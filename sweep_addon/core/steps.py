@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from .parameters import require, spelled
-from .vectors import dot, norms, unit
+from .vectors import cross, dot, norms, unit
 
 STEEPEST = np.cos(np.radians(75))  # between a chord and the curve: a mitre is four times as long as the contour
 
@@ -79,4 +79,4 @@ def spun(axes, angle):
 
 def handed(stations, axes):
     """1 where y is left of x, seen against the trajectory, -1 where laws mirror the contour."""
-    return np.sign(np.einsum("ij,ij->", np.cross(*axes), stations.tangent))
+    return np.sign(np.einsum("ij,ij->", cross(*axes), stations.tangent))

@@ -18,7 +18,7 @@ import numpy as np
 
 from .rotations import any_normal, rotated, signed_angle, turned
 from .trajectories.arc_length import arc_length, subdivided
-from .vectors import dot, unit
+from .vectors import cross, dot, unit
 
 ORDER = 13  # nodes in a panel; odd, so that one is in the middle
 ANGLES = (np.arange(ORDER) + 0.5) * np.pi / ORDER
@@ -48,10 +48,10 @@ class Transport:
     def __init__(self, trajectory):
         self.start, self.end, self.axis, self.turning = panels(trajectory)
         leave, arrive = trajectory.tangents(self.start), trajectory.tangents(self.end, before=True)
-        carried = rotated(unit(np.cross(arrive, self.axis)), arrive, self.turning.sum(axis=0))  # every T(1) is 1
+        carried = rotated(unit(cross(arrive, self.axis)), arrive, self.turning.sum(axis=0))  # every T(1) is 1
         onward = np.roll(np.arange(len(leave)), -1)
         carried = turned(carried, arrive, leave[onward])
-        turn = signed_angle(unit(np.cross(leave, self.axis))[onward], carried, leave[onward])
+        turn = signed_angle(unit(cross(leave, self.axis))[onward], carried, leave[onward])
         self.before = np.concatenate(([0.0], np.cumsum(turn[:-1])))
         self.holonomy = float(turn.sum()) if trajectory.closed else 0.0
 
@@ -60,7 +60,7 @@ class Transport:
         panel = np.clip(np.searchsorted(self.start, u, side="right") - 1, 0, len(self.start) - 1)
         start, end = self.start[panel], self.end[panel]
         x = np.clip((2 * u - start - end) / (end - start), -1.0, 1.0)
-        return unit(np.cross(tangents, self.axis[panel])), self.before[panel] + chebyshev(self.turning[:, panel], x)
+        return unit(cross(tangents, self.axis[panel])), self.before[panel] + chebyshev(self.turning[:, panel], x)
 
 
 def panels(trajectory):
@@ -96,7 +96,7 @@ def integrals(trajectory, start, end):
     first, second = trajectory.derivative(u), trajectory.derivative(u, 2)
     tangent = unit(first)
     squared = dot(first, first)
-    turn = np.cross(first, second) / np.where(squared > 0, squared, np.inf)[:, None]
+    turn = cross(first, second) / np.where(squared > 0, squared, np.inf)[:, None]
     tangent, turn = (part.reshape(ORDER, -1, 3) for part in (tangent, turn))
     middle, binormal = tangent[ORDER // 2], turn[ORDER // 2]  # a plane bend does not turn against its binormal
     bent = np.linalg.norm(binormal, axis=1) * half > STRAIGHT

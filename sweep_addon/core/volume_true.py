@@ -9,7 +9,7 @@ from .contours.fit import Fit
 from .mitres import leaned
 from .rotations import turned
 from .steps import ahead, handed, mitred, require_short, to_both
-from .vectors import dot, norms, unit
+from .vectors import cross, dot, norms, unit
 
 FARTHEST = 3.0  # rises of the chords: a station moves no farther, for at an inflection it turns by nothing
 MOST_GROWN = 2.0  # areas: a step of half a turn holds a third of what it should
@@ -122,8 +122,8 @@ def growth(stations, places, axes, along, turn):
     """By how much the area of each ring must grow for the mean sections between them to be true: (n, 1)."""
     starts, onward, legs = stations.starts, stations.onward, stations.steps(places)
     (x, y), (x_next, y_next) = axes[:, starts], ahead(stations, axes, handed(stations, axes) * turn)
-    mixed = np.cross(x, y_next) + np.cross(x_next, y)
-    first, last = (dot(legs, 4 * own + mixed) / 12 for own in (np.cross(x, y), np.cross(x_next, y_next)))
+    mixed = cross(x, y_next) + cross(x_next, y)
+    first, last = (dot(legs, 4 * own + mixed) / 12 for own in (cross(x, y), cross(x_next, y_next)))
     area = np.multiply(*along.at(stations.s, stations.u)[:2])
     middle = area[starts]
     if any(along.tapers) or not along.is_constant:
