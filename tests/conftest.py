@@ -7,7 +7,8 @@ this checkout, linked into Blender's extensions, which makes it a live extension
 library inside the extension, so that no module exists twice. Blender's user folder is a temporary one.
 
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
-A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more hypothesis examples.
+A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
+and hypothesis examples.
 """
 
 import atexit
@@ -127,6 +128,12 @@ def pytest_collection_modifyitems(items):
         for item in items:
             if item.get_closest_marker("large"):
                 item.add_marker(pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)"))
+
+
+@pytest.fixture
+def draws():
+    """How many random inputs a test draws; where each takes long, it is a part of them."""
+    return 1000 if FULL else 150
 
 
 @pytest.fixture

@@ -54,8 +54,8 @@ class Round:
     >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
     >>> from sweep_addon.core.sampling import Tolerance
     >>> from sweep_addon.core.trajectories import Line
-    >>> pill = GeneralizedCylinder(Circle(1.0, 1024), Line(), Tolerance(1e-5), start=Round(), end=Round()).mesh()
-    >>> round(pill.volume() / (pi + 4 / 3 * pi), 4)
+    >>> pill = GeneralizedCylinder(Circle(1.0, 256), Line(), Tolerance(1e-4), start=Round(), end=Round()).mesh()
+    >>> round(pill.volume() / (pi + 4 / 3 * pi), 3)
     1.0
     """
 

@@ -57,13 +57,16 @@ def winding(mesh, points, first):
     """How often a mesh winds round points, its faces split from one corner or the next: van Oosterom, Strackee 1983."""
     faces = [np.roll(mesh.corners[i:j], -first) for i, j in zip(mesh.offsets[:-1], mesh.offsets[1:], strict=True)]
     triangles = np.array([(face[0], *face[i : i + 2]) for face in faces for i in range(1, len(face) - 1)])
+    a, b, c = mesh.vertices[triangles.T]
+    volume, normal = (a * np.cross(b, c)).sum(1), np.cross(b - a, c - a)  # products of differences, multiplied out
     turns = []
-    for part in np.array_split(points, len(points) * len(triangles) // 1_000_000 + 1):
-        a, b, c = (mesh.vertices[corner] - part[:, None] for corner in triangles.T)
-        la, lb, lc = (np.linalg.norm(side, axis=2) for side in (a, b, c))
-        sine = np.einsum("ijk,ijk->ij", a, np.cross(b, c))
-        cosine = la * lb * lc + (a * b).sum(2) * lc + (b * c).sum(2) * la + (c * a).sum(2) * lb
-        turns.append(np.arctan2(sine, cosine).sum(axis=1) / (2 * np.pi))
+    for part in np.array_split(points, len(points) * len(triangles) // 100_000 + 1):
+        la, lb, lc = np.linalg.norm(part[:, None] - mesh.vertices, axis=2)[:, triangles.T].swapaxes(0, 1)
+        ab, bc, ca = (
+            (p * q).sum(1) - part @ (p + q).T + (part**2).sum(1)[:, None] for p, q in ((a, b), (b, c), (c, a))
+        )
+        cosine = la * lb * lc + ab * lc + bc * la + ca * lb
+        turns.append(np.arctan2(volume - part @ normal.T, cosine).sum(axis=1) / (2 * np.pi))
     return np.concatenate(turns)
 
 

@@ -9,7 +9,6 @@ from sweep_addon.core.contours import Mixed, Outline
 from sweep_addon.core.contours.orientation import orientation
 from sweep_addon.core.in_plane import swept
 
-RANDOM = 150
 CELL = 2.0**-20  # of coordinates up to about 2: what the grid of the union cannot tell apart, with room
 
 
@@ -46,10 +45,10 @@ def areas_and_lines(sections):
 
 
 @pytest.mark.parametrize("coarse", [False, True])
-def test_every_place_is_in_the_part_that_the_definition_says(coarse):
+def test_every_place_is_in_the_part_that_the_definition_says(coarse, draws):
     """Areas by the even-odd rule; and of curves what is in no area, asked in steps, is as long as the lines."""
     random = np.random.default_rng(7)
-    for _ in range(RANDOM):
+    for _ in range(draws):
         loops, curves, points = drawn(random, coarse)
         areas, lines = areas_and_lines(Mixed(loops, curves, points).sections())
         places = random.uniform(-1.1, 1.1, (400, 2))
@@ -65,10 +64,10 @@ def test_every_place_is_in_the_part_that_the_definition_says(coarse):
 
 
 @pytest.mark.parametrize("coarse", [False, True])
-def test_parts_share_nothing_but_points(coarse):
+def test_parts_share_nothing_but_points(coarse, draws):
     """No two edges of the parts cross, and no point lies inside an edge, but for the rounding of a union's grid."""
     random = np.random.default_rng(8)
-    for _ in range(RANDOM):
+    for _ in range(draws):
         sections = Mixed(*drawn(random, coarse)).sections()
         ends = []
         for section in sections:

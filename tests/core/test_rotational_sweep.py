@@ -7,7 +7,7 @@ from math import cos, hypot, pi, sin, sqrt, tau
 import numpy as np
 import pytest
 from solids import GLYPHS, assert_solid, box
-from test_translational_sweep import RANDOM, star
+from test_translational_sweep import star
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.parameters import ShapeError
@@ -250,13 +250,13 @@ def bodies(random):
     return Outline([points]), {"nothing": 0, "corner": 1, "edge": 2}[touches]
 
 
-def test_a_thousand_random_turns_are_solids():
+def test_random_turns_are_solids(draws):
     """All round, the Euler characteristic is the number of poles, of a part of a turn it is that of a ball.
 
     The axis lies anywhere; the volume is that of Pappus.
     """
     random = np.random.default_rng(7)
-    for _ in range(RANDOM):
+    for _ in range(draws):
         contour, poles = bodies(random)
         section = contour.section()
         angle = random.choice([tau, -tau, random.uniform(0.1, 6.2), -random.uniform(0.1, 6.2)])
@@ -275,10 +275,10 @@ def test_a_thousand_random_turns_are_solids():
         assert mesh.volume() == pytest.approx(expected, rel=1e-9)
 
 
-def test_a_thousand_random_contours_across_the_axis():
-    """Split, both bodies are solids, and the difference of their volumes is what is swept with its sign."""
+def test_both_bodies_of_random_contours_across_the_axis_are_solids(draws):
+    """Split; and the difference of their volumes is what is swept with its sign."""
     random = np.random.default_rng(11)
-    for _ in range(RANDOM // 2):
+    for _ in range(draws // 2):
         points = star(random, np.zeros(2), 1.0, random.integers(5, 20)) + (random.uniform(-0.3, 0.3), 0)
         angle = random.choice([tau, random.uniform(0.5, 6)])
         given = dict(contour=Outline([points]), angle=angle, samples=Count(12))

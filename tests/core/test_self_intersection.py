@@ -209,18 +209,17 @@ def random_shape(seed):
     return GeneralizedCylinder(contours[seed % 6], path, Count(int(random.integers(48, 64))), **given)
 
 
-@pytest.mark.parametrize("seed", range(100))
-def test_of_random_curves_the_verdict_is_that_of_all_pairs_of_triangles(seed):
-    shape = random_shape(seed)
-    mesh, places, tangents = shape.mesh(), shape.self_intersections(), shape.swept().stations.tangent
-    if np.einsum("ij,ij->i", tangents[1:], tangents[:-1]).min() < 0:
-        return  # nearly a cusp, between two contours: the mesh is far from the shape
-    crossing = crossing_faces(mesh)
-    kinds = {place.kind for place in places}
-    assert not len(crossing) or kinds  # what crosses is told
-    assert len(crossing) or not kinds & {"global", "ends"}  # a fold may be too slight for the mesh to show
-    if "local" not in kinds:
-        assert set(crossing) <= set(faces_of(mesh.chart, places))
+def test_of_random_curves_the_verdict_is_that_of_all_pairs_of_triangles(draws):
+    for seed in range(draws // 5):
+        shape = random_shape(seed)
+        mesh, places, tangents = shape.mesh(), shape.self_intersections(), shape.swept().stations.tangent
+        if np.einsum("ij,ij->i", tangents[1:], tangents[:-1]).min() < 0:
+            continue  # nearly a cusp, between two contours: the mesh is far from the shape
+        crossing = crossing_faces(mesh)
+        kinds = {place.kind for place in places}
+        assert not len(crossing) or kinds, seed  # what crosses is told
+        assert len(crossing) or not kinds & {"global", "ends"}, seed  # a fold may be too slight for the mesh to show
+        assert "local" in kinds or set(crossing) <= set(faces_of(mesh.chart, places)), seed
 
 
 @pytest.mark.parametrize("seed", range(0, 60, 8))

@@ -16,7 +16,6 @@ from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.translational_sweep import Reference, TranslationalSweep
 
 CLOSE = dict(rel=1e-12)  # rounding: sums of a few hundred numbers
-RANDOM = 1000
 PLATE = Outline([box((-2, -1), (2, 1)), ngon((-0.8, 0), 0.5, 7), ngon((0.9, 0), 0.6, 24)])
 
 
@@ -228,10 +227,10 @@ def test_fit_is_that_of_the_contour(fit):
     assert disc == pytest.approx(2 * pi, **CLOSE) if fit == "area-true" else disc > 2 * pi
 
 
-def test_a_thousand_random_prisms_are_solids():
+def test_random_prisms_are_solids(draws):
     """Of each island with h holes a body of genus h. The draft is up to the largest, either way."""
     random = np.random.default_rng(5)
-    for _ in range(RANDOM):
+    for _ in range(draws):
         contour, holes = outline(random)
         section = contour.section()
         direction = (*random.uniform(-2, 2, 2), random.uniform(0.2, 2))
