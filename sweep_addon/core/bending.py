@@ -27,6 +27,19 @@ class Axis(NamedTuple):
     told: tuple  # sentences for people, where the frame is not defined
 
 
+class Rings(NamedTuple):
+    """Contours along a curved axis, and which of them lean."""
+
+    section: object  # the Section that moves
+    u: np.ndarray  # the trajectory's parameter at each ring, of those that lean at their middle height: (n,)
+    s: np.ndarray  # that height: (n,)
+    axes: np.ndarray  # the axis there, and e2 and e3: (3, n, 3)
+    ends: tuple  # the sections at the start and at the end
+    leaning: np.ndarray = ()  # the numbers of the rings whose points are at heights of their own: (k,)
+    heights: np.ndarray = None  # these: (m, k)
+    lines: np.ndarray = None  # their places and the trajectory's parameter: (m, k, 4)
+
+
 @frozen
 class Bending:
     """The transformation that a smooth trajectory and its frame define.

@@ -63,6 +63,11 @@ class Chart:
         """How many contours stand along the trajectory."""
         return self.grid.rings
 
+    @property
+    def extent(self):
+        """From which arc length the texture goes to which, with a dome beyond the path: two floats."""
+        return self.s[0], max(self.total, self.s[-1])
+
     def columns(self):
         """The length round the contour where each column's face starts and where it ends: two (m,)."""
         offsets = np.array(self.grid.offsets)
@@ -119,8 +124,8 @@ class Chart:
         left, right = (end - side for side in self.columns())
         if self.texture is Texture.LENGTHS:
             return low, high, start + left, start + right
-        first, whole = self.s[0], max(self.total, self.s[-1]) - self.s[0]  # with a dome they are beyond the path
-        low, high = (low - first) / whole, (high - first) / whole
+        first, last = self.extent
+        low, high = (low - first) / (last - first), (high - first) / (last - first)
         return low, high, left / (end - start), right / (end - start)
 
     def cap_uv(self, dtype):

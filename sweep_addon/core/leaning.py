@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chart of a solid whose rings lean: each of their vertices has a place of its own along the axis."""
 
-from math import prod
+from functools import cached_property
 
 import numpy as np
 
@@ -17,43 +17,50 @@ class Leaning(Chart):
 
     Parameters
     ----------
-    places : (m, n) float array
-        The arc length of each column at each ring, in metres, of which ``s`` holds the means.
-    parameters : (m, n) float array
-        The trajectory's parameter there.
+    leaning : (k,) int array
+        The rings that lean, of which ``u`` and ``s`` hold middle values.
+    heights, parameters : (m, k) float array
+        The arc length of each of their columns in metres, and the trajectory's parameter there.
     """
 
-    places: np.ndarray = None
+    leaning: np.ndarray = None
+    heights: np.ndarray = None
     parameters: np.ndarray = None
 
-    @property
+    @cached_property
     def keys(self):
-        """The texts of a chart, which here hang on all places."""
+        """The texts of a chart, which here hang on all heights."""
         texture, along, across = super().keys
-        own = checksum(self.places, self.parameters)
+        own = checksum(self.heights, self.parameters)
         return texture and texture + own, along and along + own, across
+
+    @property
+    def extent(self):
+        """From which arc length the texture goes to which: two floats."""
+        both = (self.s, self.heights)
+        return min(part.min() for part in both), max(part.max() for part in both)
 
     def uv(self, dtype=np.float64, empty=np.empty):
         """Texture coordinates of each corner, along the trajectory and round the contour: (c, 2), or None for none."""
-        if self.texture is Texture.NONE:
+        uv = super().uv(dtype, empty)
+        if uv is None:
             return None
-        _, _, left, right = self.strip()
-        along = self.places
+        heights = self.heights
         if self.texture is Texture.UNIT:
-            along = (along - along.min()) / np.ptp(along)
-        columns = self.grid.strips[0]  # those that a face follows: an open outline ends with one that none does
-        along, ahead = along[columns], along[self.grid.following[columns]]
-        shape = len(along), self.rings - 1, 4, 2
-        caps = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in self.cap_uv(dtype))])
-        uv = empty(prod(shape) + len(caps), dtype)
-        sides, uv[prod(shape) :] = uv[: prod(shape)].reshape(shape), caps
-        for corner, values in enumerate((along[:, :-1], ahead[:, :-1], ahead[:, 1:], along[:, 1:])):
-            sides[:, :, corner, 0] = values
-            sides[:, :, corner, 1] = (left if corner in (0, 3) else right)[columns, None]
-        return uv.reshape(-1, 2)
+            low, high = self.extent
+            heights = (heights - low) / (high - low)
+        columns, bands = self.grid.strips[0], self.rings - 1  # an open outline ends with a column that no face follows
+        sides = uv[: len(columns) * bands * 4].reshape(len(columns), bands, 4, 2)
+        for corner, ahead, ring in ((0, False, 0), (1, True, 0), (2, True, 1), (3, False, 1)):
+            band = self.leaning - ring
+            there = (band >= 0) & (band < bands)
+            along = self.grid.following[columns] if ahead else columns
+            sides[:, band[there], corner, 0] = heights[along][:, there]
+        return uv
 
     def along(self, dtype=np.float64):
         """Values at each vertex that depend on its place along the axis: u and arc_length."""
-        if not self.named:
-            return {}
-        return {"u": self.parameters.ravel().astype(dtype), "arc_length": self.places.ravel().astype(dtype)}
+        values = super().along(dtype)
+        for name, own in zip(values, (self.parameters, self.heights), strict=True):
+            values[name].reshape(-1, self.rings)[:, self.leaning] = own
+        return values

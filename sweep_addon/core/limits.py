@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Limits: what ends a constant cross-section solid at the start and at the end of its axis."""
 
+from functools import cached_property
+
 import numpy as np
 
 from .ends import Flat, Open
@@ -31,7 +33,7 @@ class Plane:
         """Refuse a normal without length."""
         require(np.linalg.norm(self.normal) > 0, "must have a length", list(self.normal), "normal")
 
-    @property
+    @cached_property
     def across(self):
         """The unit normal: (3,) float array."""
         return unit(np.array(self.normal, dtype=float))

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from . import caps, generalized_cylinder
-from .bending import Bending
+from .bending import Bending, Rings
 from .cells import WIDEST_TURN
 from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour, Fit, Rectangle
@@ -30,7 +30,6 @@ from .vectors import norms
 AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle: {"width": 0.3, "height": 0.1}}
 SMOOTH = {Polyline: {"corner": "round"}}
 AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
-SHORTEST = 1e-9  # of the axis, between two planes
 COARSE, FINEST = 1e-3, 1e-6  # of the contour: how far from the cut the edge of a cap may be where samples do not say
 CORNER = np.radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
 
@@ -103,41 +102,32 @@ class PDCurveSweep:
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((40, 3), 'float64', 0)
         """
-        from .leaning import Leaning  # most sweeps have no plane, and Blender starts a little sooner without
-        from .trimming import lean, limited
-
         section, bending, stations, told = self.laid_out()
-        limits = (Flat(), Flat()) if stations.closed else (self.start, self.end)
-        heights, leaning, axis = self.rings(section, bending, stations, limits)
-        require_few(heights.size, "samples")
-        outlines, edges = [], []
-        for limit, side in zip(limits, (0, -1), strict=True):
-            outline, edge = section, None
-            if isinstance(limit, Plane):
-                outline, edge = limited(limit, bending, section, heights[:, side], axis, side)
-            outlines.append(outline)
-            edges.append(edge)
+        rings = self.rings(section, bending, stations)
+        section = rings.section
         grid = Grid(
-            rings=heights.shape[1],
+            rings=len(rings.s),
             tips=(),
             closed=stations.closed,
             creases=(),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
             caps=tuple(
-                caps.faces(outline) if outline.closed and not (stations.closed or isinstance(limit, Open)) else None
-                for limit, outline in zip(limits, outlines, strict=True)
+                caps.faces(end) if end.closed and not (stations.closed or isinstance(limit, Open)) else None
+                for limit, end in zip((self.start, self.end), rings.ends, strict=True)
             ),
             gaps=tuple(section.gaps.tolist()),
         )
-        rings = np.stack((axis.points, axis.e2, axis.e3))
-        vertices = drawn(grid, affine(section.points), rings, dtype)
-        flat = tuple(outline.points for outline in outlines)
-        around = lengths_around(section, np.ones(2))
-        known = (grid, axis.u, heights.mean(axis=0), stations.total, around, flat, self.texture, self.attributes)
-        parameters = lean(vertices.reshape(*heights.shape, 3), bending, section, axis.u, heights, leaning, edges)
-        chart = Leaning(*known, heights, parameters) if leaning.any() else Chart(*known)
-        return Mesh(vertices, grid.topology(), chart, told + axis.told)
+        vertices = drawn(grid, affine(section.points), rings.axes, dtype)
+        flat, around = tuple(end.points for end in rings.ends), lengths_around(section, np.ones(2))
+        chart = grid, rings.u, rings.s, stations.total, around, flat, self.texture, self.attributes
+        if not len(rings.leaning):
+            return Mesh(vertices, grid.topology(), Chart(*chart), told)
+        from .leaning import Leaning
+
+        columns = vertices.reshape(len(section.points), -1, 3)
+        columns[:, rings.leaning] = rings.lines[..., :3]
+        return Mesh(vertices, grid.topology(), Leaning(*chart, rings.leaning, rings.heights, rings.lines[..., 3]), told)
 
     def self_intersections(self):
         """Where the solid meets itself, and up to which size it does not.
@@ -190,39 +180,24 @@ class PDCurveSweep:
         told += told_backward(stations) + folds_told(
             stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support
         )
+        told += axis.told
         if backward:
             section, bending = section.mirrored, replace(bending, mirrored=True)
-        return self.fine(section, bending), bending, stations, told
+        return section, bending, stations, told
 
-    def fine(self, section, bending):
-        """The section with as many points as the cuts of its limiting planes bend."""
-        ends = ("start", self.start, False), ("end", self.end, True)
-        planes = [end for end in ends if isinstance(end[1], Plane) and not self.trajectory.closed]
-        if not planes or self.trajectory.straight:
-            return section
-        from .trimming import divided
+    def rings(self, section, bending, stations):
+        """The rings between the limits: `Rings`."""
+        limits = self.start, self.end
+        if stations.closed or not any(isinstance(limit, Plane) for limit in limits):
+            require_few(len(section.points) * len(stations.s), "samples")
+            axis = bending.placed(stations)
+            axes = np.stack((axis.points, axis.e2, axis.e3))
+            return Rings(section, axis.u, stations.s, axes, (section, section))
+        from .trimming import trimmed  # most sweeps have no plane, and Blender starts a little sooner without
 
         size = float(np.abs(section.points).max())
         chord = COARSE * size if isinstance(self.samples, Count) else self.samples.chord
-        return divided(section, planes, bending, max(chord, FINEST * size))
-
-    def rings(self, section, bending, stations, limits):
-        """The heights of all points of each ring, (m, n), which of them lean, (n,) bool, and the axis there."""
-        from .trimming import cuts, ranged
-
-        lines = []
-        for key, limit, at_end in zip(("start", "end"), limits, (False, True), strict=True):
-            flat = np.full(len(section.points), bending.total if at_end else 0.0)
-            with at(key):
-                lines.append(cuts(limit, bending, section, at_end) if isinstance(limit, Plane) else flat)
-        if not any(isinstance(limit, Plane) for limit in limits):
-            shape = len(section.points), len(stations.s)
-            return np.broadcast_to(stations.s, shape), np.full(len(stations.s), False), bending.placed(stations)
-        left = float((lines[1] - lines[0]).min())
-        if left <= SHORTEST * bending.total:
-            raise ShapeError(f"must leave something behind the start everywhere, got {left:.6g} m of it", "end")
-        heights, leaning = ranged(stations.s, bending.total, *lines)
-        return heights, leaning, bending.axis(heights.mean(axis=0))
+        return trimmed(limits, bending, section, stations, max(chord, FINEST * size))
 
     def bend(self, points):
         """Points of a straight model where the curved axis takes them: a nonlinear transformation of the model.

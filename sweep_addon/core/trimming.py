@@ -10,68 +10,135 @@ from dataclasses import replace
 
 import numpy as np
 
+from .bending import Rings
+from .drawn import affine
+from .limits import Plane
+from .mesh import require_few
 from .parameters import ShapeError, at, require
 from .self_intersection.folds import roots
-from .vectors import norms, unit
+from .spans import spans
+from .vectors import cross, norms, unit
 
-PLACES = 257  # at least, where it is looked at on which side of the plane the lines are
 FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
 ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
 CLOSEST = 1e-3  # of the mean step: a ring nearer to another would make slivers
+SHORTEST = 1e-9  # of the axis, between two planes
 ONCE = "must cut the line of every point of the contour once"
 HALVINGS = 12  # of an edge at most: what is missed falls to a quarter with each
 FLAT = 1e-9  # the sine of the angle between a plane and the axis beyond its end: it is never cut there
 
 
-def cuts(plane, bending, section, at_end):
-    """Where a plane cuts the line of each point of a contour, coming from an end of the axis.
+def trimmed(limits, bending, section, stations, tolerance):
+    """The rings of a sweep between its limits, of which one is a plane at least.
 
     Parameters
     ----------
-    plane : Plane
+    limits : tuple of two (Flat, Open or Plane)
     bending : Bending
     section : Section
-    at_end : bool
-        Whether that is the axis's end, and not its start.
+    stations : Stations
+        Where contours would stand if nothing were cut off.
+    tolerance : float
+        How far from a cut the middle of an edge may be, in metres.
 
     Returns
     -------
-    (m,) float array
-        Heights along the straight axis in metres; below 0 and above the total where the solid goes on straight.
+    Rings
+        Their section has as many points as the cuts bend.
 
     Raises
     ------
     ShapeError
-        Where one of the lines is not cut, or is cut again before the plane has cut all of them.
+        Where a plane does not cut the line of every point once, and where nothing is left.
     """
-    z, sides = looked_at(plane, bending, section, at_end)
+    section, (starts, ends) = followed(limits, bending, section, tolerance)
+    left = float((ends - starts).min())
+    if left <= SHORTEST * bending.total:
+        raise ShapeError(f"must leave something behind the start everywhere, got {left:.6g} m of it", "end")
+    require_few(len(section.points) * len(stations.s), "samples")
+    between, before, after = ranged(stations.s, starts, ends, [isinstance(limit, Plane) for limit in limits])
+    heights = np.concatenate((before, after), axis=1)
+    middles = heights.mean(axis=0)
+    weights = np.concatenate((affine(section.points), np.eye(3)))
+    lines = spans(bending).lines(weights, np.concatenate((heights, np.tile(middles, (3, 1)))))
+    lines, own = lines[:-3], lines[-3:]
+    axis = bending.placed(stations)
+    known = zip(own[..., :3], (axis.points, axis.e2, axis.e3), strict=True)
+    leaning = before.shape[1]
+
+    def inserted(values, others):
+        return np.concatenate((values[:leaning], others[between], values[leaning:]))
+
+    axes = np.stack([inserted(*pair) for pair in known])
+    outlines = tuple(
+        outline(limit, section, lines[:, side], axes[:, side]) if isinstance(limit, Plane) else section
+        for limit, side in zip(limits, (0, -1), strict=True)
+    )
+    u, s = inserted(own[0, :, 3], axis.u), inserted(middles, stations.s)
+    rings = np.delete(np.arange(len(s)), slice(leaning, len(s) - after.shape[1]))
+    return Rings(section, u, s, axes, outlines, rings, heights, lines)
+
+
+def followed(limits, bending, section, tolerance):
+    """A section whose edges are halved until straight ones follow the cuts, and where the lines of its points end.
+
+    Returns
+    -------
+    section : Section
+    ends : list of two (m,) float arrays
+        Heights along the axis in metres; below 0 and above the total where the solid goes on straight.
+    """
+    for halvings in range(HALVINGS, -1, -1):
+        ahead = section.following.copy()
+        ahead[section.gaps] = section.gaps
+        points = np.concatenate((section.points, (section.points + section.points[ahead]) / 2))
+        missed, found = np.zeros(len(ahead)), []
+        for key, limit, end in zip(("start", "end"), limits, (0.0, bending.total), strict=True):
+            heights = np.full(len(points), end)
+            if isinstance(limit, Plane):
+                with at(key):
+                    heights, places = cuts(limit, bending, points, end > 0)
+                corners, middles = np.split(places, 2)
+                missed = np.maximum(missed, norms(middles - (corners + corners[ahead]) / 2))
+            found.append(heights[: len(ahead)])
+        if missed.max() <= tolerance or not halvings:
+            return section, found
+        section = section.divided(missed > tolerance)
+
+
+def cuts(plane, bending, points, at_end):
+    """Where a plane cuts the lines of points (m, 2), from the axis's start or its end on: heights, places (m, 3)."""
+    z, sides = looked_at(plane, bending, points, at_end)
     above = sides >= 0
     change = above[:, 1:] != above[:, :-1]
     missed = ~change.any(axis=1)
     if missed.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(missed) + 1} not cut")
-    first = change.argmax(axis=1)
+    first, every = change.argmax(axis=1), np.arange(len(points))
     again = change[:, : first.max() + 1].sum(axis=1) > 1
     again |= above[:, 0] != above[0, 0]
     if again.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(again) + 1} cut again before all others are")
-    found = crossings(plane, bending, section, z[first], z[first + 1])
-    reach = bending.total + float(np.abs(section.points).max())
+    low, high = z[first], z[first + 1]
+    line = spans(bending).line(points, (low + high) / 2)
+    found = roots(lambda z: plane.heights(line(z)), low, high, sides[every, first], sides[every, first + 1])
+    reach = bending.total + float(np.abs(points).max())
     farthest = float(np.abs(found - np.clip(found, 0.0, bending.total)).max())
     require(farthest <= FARTHEST * reach, f"must cut within {FARTHEST * reach:.6g} m of the trajectory's end", farthest)
-    return found
+    return found, line(found)
 
 
-def looked_at(plane, bending, section, at_end):
+def looked_at(plane, bending, points, at_end):
     """Heights from beyond an end of the axis to its other end, (k,), and how far each line is above the plane, (m, k).
 
     The first height is beyond all cuts that there are beyond the end.
     """
-    z = np.linspace(0.0, bending.total, PLACES)[:: -1 if at_end else 1]
-    axis = bending.axis(z)
-    across = plane.across
-    sides = plane.heights(axis.points) + section.points @ np.stack((axis.e2 @ across, axis.e3 @ across))
-    outward = float(axis.e1[0] @ across) * (1 if at_end else -1)
+    whole = spans(bending)
+    z, axes = (part[:: -1 if at_end else 1] for part in whole.looked_at)
+    levels = axes @ plane.across
+    levels[:, 0] += plane.heights(np.zeros(3))
+    sides = affine(points) @ levels.T
+    outward = float(whole.outward[int(at_end)] @ plane.across)
     if abs(outward) > FLAT:
         far = max(float((-sides[:, 0] / outward).max()), 0.0) + bending.total
         z = np.insert(z, 0, z[0] + (far if at_end else -far))
@@ -79,128 +146,49 @@ def looked_at(plane, bending, section, at_end):
     return z, sides
 
 
-def crossings(plane, bending, section, low, high):
-    """Heights between pairs of them, (m,) and (m,), where the line of each point crosses the plane."""
-
-    def above(z):
-        return plane.heights(bending.bend(np.column_stack((section.points, z))))
-
-    return roots(above, low, high, above(low), above(high))
-
-
-def divided(section, planes, bending, tolerance):
-    """A section whose edges are halved until straight lines between its points are where planes cut the surface.
-
-    Parameters
-    ----------
-    section : Section
-    planes : sequence of (str, Plane, bool)
-        The key of each, and whether it is at the end of the axis.
-    bending : Bending
-    tolerance : float
-        How far from the cut the middle of an edge may be, in metres.
-
-    Returns
-    -------
-    Section
-    """
-    for _ in range(HALVINGS):
-        ahead = section.following.copy()
-        ahead[section.gaps] = section.gaps
-        middles = (section.points + section.points[ahead]) / 2
-        both, missed = replace(section, points=np.concatenate((section.points, middles))), np.zeros(len(ahead))
-        for key, plane, at_end in planes:
-            with at(key):
-                heights = cuts(plane, bending, both, at_end)
-            ends, between = np.split(bending.bend(np.column_stack((both.points, heights))), 2)
-            missed = np.maximum(missed, norms(between - (ends + ends[ahead]) / 2))
-        if missed.max() <= tolerance:
-            break
-        section = section.divided(missed > tolerance)
-    return section
-
-
-def ranged(stations, total, starts, ends):
-    """The heights of the points of each ring, and which rings lean.
+def ranged(stations, starts, ends, planes):
+    """Which stations are left as they are, and the heights of the points of rings before and after them that lean.
 
     Parameters
     ----------
     stations : (n,) float array
         Arc lengths where contours stand along the axis, both ends included.
-    total : float
     starts, ends : (m,) float array
         Where the line of each point begins and ends.
+    planes : sequence of two bool
+        Whether a plane is there: the ring in it counts among those that lean.
 
     Returns
     -------
-    heights : (m, k) float array
-    leaning : (k,) bool array
-        Rings whose heights differ.
+    between : slice
+    before, after : (m, k) float array
     """
     low, high = starts.min(), ends.max()
-    inner = stations[(stations > low) & (stations < high)]
-    close = CLOSEST * total / len(stations)
-    upright = np.concatenate(([low], inner[(inner > low + close) & (inner < high - close)], [high]))
-    first, last = starts.max() + ROOM * np.ptp(starts), ends.min() - ROOM * np.ptp(ends)
-    kept = upright[(upright >= first) & (upright <= last)]
+    close = CLOSEST * stations[-1] / len(stations)
+    inner = stations[(stations > low + close) & (stations < high - close)]
+    upright = np.concatenate(([low], inner, [high]))
+    before = upright < starts.max() + ROOM * np.ptp(starts)
+    after = upright > ends.min() - ROOM * np.ptp(ends)
+    before[0] |= planes[0]
+    after[-1] |= planes[1]
+    kept = upright[~(before | after)]
     if not len(kept):
         share = (upright - low) / (high - low)
-        heights = starts[:, None] + share * (ends - starts)[:, None]
-        return heights, np.full(len(upright), True)
-    heights = np.tile(upright, (len(starts), 1))
-    before, after = upright < kept[0], upright > kept[-1]
-    squeezed = (kept[0] - starts) / (kept[0] - low) if before.any() else 1.0
-    heights[:, before] = kept[0] - np.outer(squeezed, kept[0] - upright[before])
-    squeezed = (ends - kept[-1]) / (high - kept[-1]) if after.any() else 1.0
-    heights[:, after] = kept[-1] + np.outer(squeezed, upright[after] - kept[-1])
-    return heights, before | after
+        return slice(0), starts[:, None] + share * (ends - starts)[:, None], np.empty((len(starts), 0))
+    begin = np.searchsorted(stations, kept[0])
+    before = kept[0] + np.outer(starts - kept[0], (upright[before] - kept[0]) / (low - kept[0]))
+    after = kept[-1] + np.outer(ends - kept[-1], (upright[after] - kept[-1]) / (high - kept[-1]))
+    return slice(begin, begin + len(kept)), before, after
 
 
-def limited(plane, bending, section, heights, axis, side):
-    """The section in a limiting plane.
+def outline(plane, section, cut, axes):
+    """The section in a limiting plane, seen against the direction of the axis, (m, 2) in metres.
 
-    Parameters
-    ----------
-    plane : Plane
-    bending : Bending
-    section : Section
-    heights : (m,) float array
-        Where the lines of its points meet the plane.
-    axis : Axis
-        At the rings, of which that in the plane is the first or the last: ``side`` 0 or -1.
-
-    Returns
-    -------
-    outline : Section
-        Seen against the direction of the axis, in metres.
-    edge : (m, 3) float array
-        Its points, in the plane to the last bit that rounding leaves.
+    Its points, (m, 4), are put there to the last bit that rounding leaves.
     """
-    edge = bending.bend(np.column_stack((section.points, heights)))
-    edge -= plane.heights(edge)[:, None] * plane.across
-    e2, e3, across = axis.e2[side], axis.e3[side], plane.across
-    x = unit(e2 - (e2 @ across) * across)
-    y = np.cross(across, x)
+    cut[:, :3] -= plane.heights(cut[:, :3])[:, None] * plane.across
+    middle, e2, e3 = axes
+    x = unit(e2 - (e2 @ plane.across) * plane.across)
+    y = cross(plane.across, x)
     y *= np.sign(y @ e3)
-    return replace(section, points=(edge - axis.points[side]) @ np.stack((x, y), axis=1)), edge
-
-
-def lean(vertices, bending, section, u, heights, leaning, edges):
-    """Put vertices, (m, n, 3), of rings that lean, and of those that have edges known, where they belong.
-
-    Returns
-    -------
-    (m, n) float array
-        The trajectory's parameter at each vertex.
-    """
-    parameters = np.broadcast_to(u, heights.shape)
-    if leaning.any():
-        parameters = parameters.copy()
-        own = bending.axis(heights[:, leaning].ravel())
-        x, y = np.repeat(section.points, np.count_nonzero(leaning), axis=0).T[..., None]
-        vertices[:, leaning] = (own.points + x * own.e2 + y * own.e3).reshape(len(heights), -1, 3)
-        parameters[:, leaning] = own.u.reshape(len(heights), -1)
-    for side, edge in zip((0, -1), edges, strict=True):
-        if edge is not None:
-            vertices[:, side] = edge
-    return parameters
+    return replace(section, points=(cut[:, :3] - middle) @ np.stack((x, y), axis=1))

@@ -25,8 +25,8 @@ LEVEL = Arrows([(0, 0, 0, 1)])  # of an arc about the z axis
 REFUSALS = ("once", "leave something", "must cut within")
 
 
-def columns(mesh, section):
-    return mesh.vertices.reshape(len(section.points), -1, 3)
+def columns(mesh):
+    return mesh.vertices.reshape(mesh.chart.grid.columns, -1, 3)
 
 
 @pytest.mark.parametrize("name", GLYPHS)
@@ -44,7 +44,7 @@ def test_a_straight_solid_between_two_planes_is_a_cut_prism(name, seed):
     ]
     assert mesh.volume() == pytest.approx(section.area * (heights[1] - heights[0]), rel=1e-12)
     assert_solid(mesh, sum(2 * (1 - hole) for hole in holes))
-    ends = columns(mesh, section)
+    ends = columns(mesh)
     assert np.abs(planes[0].heights(ends[:, 0])).max() < 1e-14
     assert np.abs(planes[1].heights(ends[:, -1])).max() < 1e-14
 
@@ -116,7 +116,7 @@ def test_where_a_plane_cuts_many_rings_every_vertex_stays_on_the_true_surface():
     mesh = shape.mesh()
     x, y, z = mesh.vertices.T
     assert np.hypot(np.hypot(x, y) - 2, z) == pytest.approx(0.5, abs=1e-12)
-    ends = columns(mesh, contour.section())
+    ends = columns(mesh)
     for plane, side in zip(planes, (0, -1), strict=True):
         assert np.abs(plane.heights(ends[:, side])).max() < 1e-15
         assert np.ptp(mesh.attributes["arc_length"].reshape(40, -1)[:, side]) > 3 * 4.7 / mesh.rings
@@ -315,6 +315,22 @@ def test_the_cut_of_a_bent_beam_is_followed_between_the_corners_of_its_contour(c
     assert_solid(mesh, 2, 0)
 
 
+def test_the_cut_of_a_straight_bar_that_turns_is_followed_too():
+    """Turned back by the angle of d at its height, an edge of the cap lies on the side of the rectangle."""
+    d = np.array([(1, 0, 0), (1, 1, 0), (0, 1, 0), (-1, 1, 0)])
+    end = Plane((0, 0, 2.5), (0.5, 0, 1))
+    shape = PDCurveSweep(Rectangle(1.6, 0.4), UPRIGHT, Cubic(d), end=end, samples=Tolerance(1e-4))
+    mesh = shape.mesh()
+    corners = columns(mesh)[:, -1]
+    x, y, z = ((corners + np.roll(corners, -1, axis=0)) / 2).T
+    t = z[:, None] / 4
+    across = (1 - t) ** 3 * d[0] + 3 * t * (1 - t) ** 2 * d[1] + 3 * t**2 * (1 - t) * d[2] + t**3 * d[3]
+    back = (x + 1j * y) * np.exp(-1j * np.arctan2(across[:, 1], across[:, 0]))
+    off = np.minimum(np.abs(np.abs(back.real) - 0.8), np.abs(np.abs(back.imag) - 0.2))
+    assert 1e-6 < off.max() < 1e-4
+    assert_solid(mesh, 2)
+
+
 def test_random_shapes_are_solids(draws):
     """Those that are not refused, at most one in twenty, are closed, manifold and outward, and so are bounded ones."""
     refused = 0
@@ -326,11 +342,10 @@ def test_random_shapes_are_solids(draws):
             assert any(words in str(error) for words in REFUSALS), error
             refused += 1
             continue
-        section = shape.laid_out()[0]  # which may have more points than the contour, where planes cut a bend
-        assert_solid(mesh, euler, opened * len(section.points))
+        assert_solid(mesh, euler, opened * mesh.chart.grid.columns)  # more than the contour's points where cuts bend
         for limit, side in ((shape.start, 0), (shape.end, -1)):
             if isinstance(limit, Plane) and not shape.trajectory.closed:
-                assert np.abs(limit.heights(columns(mesh, section)[:, side])).max() < 1e-14
+                assert np.abs(limit.heights(columns(mesh)[:, side])).max() < 1e-14
     assert refused <= draws / 20
 
 
@@ -368,7 +383,7 @@ def test_a_fold_that_a_plane_cuts_off_is_none():
 def test_frames_are_the_axes_of_the_mesh():
     shape = PDCurveSweep(Rectangle(0.2, 0.1), Bezier(TEAPOT_INNER), Guide(TEAPOT_OUTER), samples=Count(9))
     frames = shape.frames(9)
-    assert frames.contours[0] == pytest.approx(columns(shape.mesh(), shape.contour.section()).swapaxes(0, 1), abs=1e-14)
+    assert frames.contours[0] == pytest.approx(columns(shape.mesh()).swapaxes(0, 1), abs=1e-14)
     assert np.abs(dot(frames.e1, frames.e2)).max() < 1e-15
     with pytest.raises(ShapeError, match="most: must be at least 2"):
         shape.frames(1)

@@ -11,7 +11,7 @@ from ..cells import bend
 from ..contours import Circle
 from ..generalized_cylinder import GeneralizedCylinder
 from ..limits import Flat, Plane
-from ..vectors import norms
+from ..vectors import cross, norms
 from .cylinders import of_cylinder, support
 from .detect import together
 from .lattice import Lattice
@@ -28,13 +28,15 @@ def of_pd_curve(shape):
         path = replace(shape.trajectory, radii=(), tilts=()) if shape.trajectory.carries else shape.trajectory
         return of_cylinder(GeneralizedCylinder(shape.contour, path, shape.samples, start=limits[0], end=limits[1]))
     section, bending, stations, _ = shape.laid_out()
-    heights, leaning, axis = shape.rings(section, bending, stations, limits)
-    mesh, end = shape.mesh(), stations.trajectory.domain[1]
-    normals = axis.e1.copy()
+    rings, mesh = shape.rings(section, bending, stations), shape.mesh()
+    path, e2, e3 = rings.axes
+    normals = cross(e2, e3) * (-1 if bending.mirrored else 1)
     for side in np.flatnonzero(planes):  # the face there lies in its plane
         across = limits[side].across
-        normals[-side] = across * np.sign(across @ axis.e1[-side])
-    lattice = Lattice.of_vertices(mesh.chart.grid, mesh.vertices, axis.points, normals, axis.u, end, leaning)
+        normals[-side] = across * np.sign(across @ normals[-side])
+    leaning = np.isin(np.arange(len(path)), rings.leaning)
+    end = stations.trajectory.domain[1]
+    lattice = Lattice.of_vertices(mesh.chart.grid, mesh.vertices, path, normals, rings.u, end, leaning)
 
     def carried(stations):
         axis = bending.placed(stations)
@@ -42,7 +44,7 @@ def of_pd_curve(shape):
 
     local = Local(stations, carried, support(shape.contour), float(norms(section.points).max()))
     if any(planes):  # what they cut off may fold
-        first, last = np.clip((heights.min(), heights.max()), 0.0, stations.total)
+        first, last = np.clip(mesh.chart.extent, 0.0, stations.total)
         local.grid = np.unique(
             np.concatenate(([first], local.grid[(local.grid > first) & (local.grid < last)], [last]))
         )

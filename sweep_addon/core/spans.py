@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Spans: a curved axis in pieces, each of them polynomials of the arc length that are exact to rounding.
+
+Where the axis and its frame are polynomials, so is the line that a point of a contour draws. Where that meets a plane,
+and where thousands of vertices lie on it, is then known without a frame for each.
+"""
+
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from .drawn import affine
+from .frozen import individual
+from .sampling import SHORTEST_STEP, distinct
+from .trajectories.arc_length import arc_length, subdivided
+from .transport import ANGLES, NODES, ORDER
+
+EXACT = 1e-13  # of the size: the last two terms of a span; the next are a hundredth of them
+EXACT_U = 1e-9  # of the domain: no place hangs on it
+ENOUGH = 32  # spans; what rounding leaves adds up over more of them
+MOST_HALVINGS, MOST_SPANS = 24, 512
+PLACES = 128  # at least, at which the whole axis is looked at
+FEW = 24  # spans that vertices are spread over: among more, each with its own frame is sooner placed
+
+
+@individual
+class Spans:
+    """The axis of a bending, straight on before its start and after its end: the first span, and the last.
+
+    Parameters
+    ----------
+    bending : Bending
+    ends : (k + 1,) float array
+        The heights between the spans, the start and the end of the axis among them.
+    middle, half : (k + 2,) float array
+        A span is a polynomial of (z - middle) / half.
+    coefficients : (k + 2, 3, ORDER, 4) float array
+        Of its powers from the lowest on: of the axis, then of e2 and e3, each x, y, z and the parameter u.
+    exact : (k + 2,) bool array
+        Whether it is one. Where not, at a joint of the direction say, each height has its own frame.
+    """
+
+    bending: object
+    ends: np.ndarray
+    middle: np.ndarray
+    half: np.ndarray
+    coefficients: np.ndarray
+    exact: np.ndarray
+
+    @cached_property
+    def looked_at(self):
+        """Heights from the start to the end, those between spans among them, (g,), the axis, e2 and e3: (g, 3, 3)."""
+        z = subdivided(self.ends, max(PLACES // (len(self.ends) - 1), 2))
+        return z, stacked(self.bending.axis(z))[..., :3]
+
+    @property
+    def outward(self):
+        """The directions in which it goes on before the start and after the end: (2, 3)."""
+        return self.coefficients[[0, -1], 0, 1, :3] * [[-1], [1]]
+
+    def line(self, points, z):
+        """The lines of points (m, 2) in the spans of z, (m,): a function of heights there, (m,) to (m, 3)."""
+        span = np.searchsorted(self.ends, z)
+        if not self.exact[span].all():
+            return lambda z: self.bending.bend(np.column_stack((points, z)))
+        middle, half = self.middle[span], self.half[span]
+        lines = np.einsum("mw,mwjc->mjc", affine(points), self.coefficients[span])
+        return lambda z: np.einsum("jm,mjc->mc", powers((z - middle) / half), lines)[:, :3]
+
+    def lines(self, weights, z):
+        """The lines of points at heights, (m, n): places and the parameter u, (m, n, 4).
+
+        The points are given by what they are made of, (m, 3), as `affine` says.
+        """
+        found, ends = np.zeros((*z.shape, 4)), np.concatenate(([-np.inf], self.ends, [np.inf]))
+        first, last = np.searchsorted(self.ends, (z.min(), z.max()))
+        own = np.full(z.shape, last - first >= FEW)
+        for span in range(first, first if own.any() else last + 1):
+            inside = (ends[span] < z) & (z <= ends[span + 1])
+            if not self.exact[span]:
+                own |= inside
+                continue
+            touched = np.flatnonzero(inside.any(axis=0))
+            rings = slice(touched.min(initial=z.shape[1]), touched.max(initial=0) + 1)
+            lines = (weights @ self.coefficients[span].reshape(3, -1)).reshape(-1, ORDER, 4)
+            x = (z[:, rings] - self.middle[span]) / self.half[span]
+            found[:, rings] += powers(x, inside[:, rings]).transpose(1, 2, 0) @ lines
+        if own.any():
+            there = stacked(self.bending.axis(z[own]))
+            found[own] = np.einsum("nw,nwc->nc", weights[np.nonzero(own)[0]], there)
+        return found
+
+
+@lru_cache(maxsize=16)
+def spans(bending):
+    """The spans of the axis of a bending, made once for equal ones: `Spans`."""
+    total, outer = bending.total, bending.axis(np.array((0.0, bending.total)))
+    size = max(total, np.abs(outer.points).max())
+    start, middle, half, series, exact = fitted(bending, size)
+    coefficients = np.zeros((len(start) + 2, 3, ORDER, 4))
+    coefficients[1:-1] = np.einsum("jk,nwck->nwjc", POWERS, series)
+    coefficients[[0, -1], :, 0] = stacked(outer)
+    coefficients[[0, -1], 0, 1, :3] = outer.e1
+    around = (middle, (0.0, total)), (half, 1.0), (exact, True)
+    middle, half, exact = (np.pad(part, 1, constant_values=value) for part, value in around)
+    return Spans(bending, np.append(start, total), middle, half, coefficients, exact)
+
+
+def fitted(bending, size):
+    """Spans from joint to joint of a trajectory, or halves of that, halved until they are as exact as they get.
+
+    Returns
+    -------
+    start, middle, half : (k,) float array
+        Heights.
+    series : (k, 3, 4, ORDER) float array
+        Coefficients of Chebyshev's polynomials.
+    exact : (k,) bool array
+    """
+    trajectory, total, halvings, known = bending.trajectory, bending.total, MOST_HALVINGS, []
+    ends = distinct(arc_length(trajectory).at(trajectory.joints()), SHORTEST_STEP * total)
+    ends[-1] = total
+    if len(ends) > MOST_SPANS:
+        ends, halvings = ends[[0, -1]], 0
+    start, end = ends[:-1], ends[1:]
+    allowed = EXACT * np.array([(size, size, size, 0.0), (1, 1, 1, 1), (1, 1, 1, 1)])
+    allowed[0, 3] = EXACT_U * np.ptp(trajectory.domain)
+    for left in range(halvings, -1, -1):
+        middle, half = (start + end) / 2, (end - start) / 2
+        values = stacked(bending.axis((middle[:, None] + half[:, None] * NODES).ravel()))
+        series = np.tensordot(values.reshape(-1, ORDER, 3, 4), SERIES, (1, 1))
+        count = len(start) + sum(len(part[0]) for part in known)
+        rest = np.abs(series[..., -2:]).sum(axis=-1)
+        exact = (rest <= allowed * max(1.0, count / ENOUGH)).all(axis=(1, 2))
+        kept = exact | (not left or count + np.count_nonzero(~exact) > MOST_SPANS)
+        known.append((start[kept], middle[kept], half[kept], series[kept], exact[kept]))
+        if kept.all():
+            break
+        start, end = np.append(start[~kept], middle[~kept]), np.append(middle[~kept], end[~kept])
+    parts = [np.concatenate(parts) for parts in zip(*known, strict=True)]
+    order = np.argsort(parts[0])
+    return [part[order] for part in parts]
+
+
+def stacked(axis):
+    """An axis's places with its parameter, and its e2 and e3: (n, 3, 4)."""
+    found = np.zeros((len(axis.u), 3, 4))
+    found[..., :3] = np.stack((axis.points, axis.e2, axis.e3), axis=1)
+    found[:, 0, 3] = axis.u
+    return found
+
+
+def powers(x, first=1.0):
+    """The powers of x, (...), from the lowest on: (ORDER, ...); 0 where that is given as 0."""
+    found = np.empty((ORDER, *x.shape))
+    found[0] = first
+    for degree in range(1, ORDER):
+        np.multiply(found[degree - 1], x, out=found[degree])
+    return found
+
+
+def power_series():
+    """The coefficients of the powers in Chebyshev's polynomials, a column for each: (ORDER, ORDER)."""
+    columns = np.eye(ORDER)
+    for degree in range(2, ORDER):
+        columns[:, degree] = 2 * np.roll(columns[:, degree - 1], 1) - columns[:, degree - 2]
+    return columns
+
+
+SERIES = 2 / ORDER * np.cos(np.arange(ORDER)[:, None] * ANGLES)  # from values at the nodes to Chebyshev's polynomials
+SERIES[0] /= 2
+POWERS = power_series()
