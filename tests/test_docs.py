@@ -35,6 +35,24 @@ def test_links_and_pictures_of_a_page_exist(page):
     assert not missing
 
 
+def anchors(page):
+    """What a link may name after its #: the headings of a page, as GitHub writes them."""
+    headings = re.findall(r"^#+ (.+)", page.read_text(), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_to_a_section_name_its_heading(page):
+    links = re.findall(r"\]\(([^)#\s:]*)#([^)\s]+)\)", page.read_text())
+    missing = [(to, section) for to, section in links if section not in anchors(page.parent / to if to else page)]
+    assert not missing
+
+
+def test_readme_leads_to_every_page():
+    names = set(re.findall(r"\]\((docs/\w+\.md)\)", (CHECKOUT / "README.md").read_text()))
+    assert names == {str(page.relative_to(CHECKOUT)) for page in CHECKOUT.glob("docs/*.md")}
+
+
 @pytest.mark.parametrize(("code", "below"), EXAMPLES)
 def test_example_of_a_page_runs_by_itself_and_prints_what_stands_below(code, below, tmp_path, monkeypatch, capsys):
     (tmp_path / "docs").symlink_to(CHECKOUT / "docs")  # examples read from there, and may write beside it
