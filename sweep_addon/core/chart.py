@@ -131,8 +131,8 @@ class Chart:
     def cap_uv(self, dtype):
         """The caps lie flat beside the strip, before its start and after its end; as a unit each has one of its own."""
         lengths = self.texture is Texture.LENGTHS
-        gap, beyond = 0.05 * self.total, max(self.s[-1], self.total)
-        before, after = (min(self.s[0], 0.0) - gap, beyond + gap) if lengths else (1.0, 0.0)
+        gap, (first, last) = 0.05 * self.total, self.extent
+        before, after = (min(first, 0.0) - gap, max(last, self.total) + gap) if lengths else (1.0, 0.0)
         for cap, section, end in zip(self.grid.caps, self.ends, (0, 1), strict=True):
             if cap is None:
                 continue

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from .parameters import require
 from .vectors import product
 
 
@@ -19,10 +20,13 @@ def drawn(grid, weights, rings, dtype):
         What has these weights at each station: the place of the section's origin, its axes, or more.
     dtype : numpy dtype
 
+        Single or double precision; anything else is refused.
+
     Returns
     -------
     (v, 3) array
     """
+    require_precise(dtype)
     whole = rings[:, grid.whole] if grid.tips else rings
     lines = weights[grid.lines] if grid.poles else weights
     ringed = len(lines) * whole.shape[1]
@@ -36,3 +40,12 @@ def drawn(grid, weights, rings, dtype):
 def affine(points):
     """The weights of points that a place and two axes carry: (m, 3) float array of 1, x and y."""
     return np.column_stack((np.ones(len(points)), points))
+
+
+def require_precise(dtype):
+    """Refuse vertices in anything but single or double precision: in whole numbers all would be cut off."""
+    try:
+        precise = np.dtype(dtype) in (np.float32, np.float64)
+    except TypeError:
+        precise = False
+    require(precise, "must be float32 or float64", dtype, "dtype")

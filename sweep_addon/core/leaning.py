@@ -61,6 +61,7 @@ class Leaning(Chart):
     def along(self, dtype=np.float64):
         """Values at each vertex that depend on its place along the axis: u and arc_length."""
         values = super().along(dtype)
-        for name, own in zip(values, (self.parameters, self.heights), strict=True):
-            values[name].reshape(-1, self.rings)[:, self.leaning] = own
+        own = {"u": self.parameters, "arc_length": self.heights}
+        for name in values:
+            values[name].reshape(-1, self.rings)[:, self.leaning] = own[name]
         return values

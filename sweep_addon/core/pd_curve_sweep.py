@@ -19,13 +19,14 @@ from .generalized_cylinder import ATTRIBUTES, section_of
 from .grid import Grid
 from .limits import Flat, Limit, Open, Plane
 from .mesh import Mesh, require_few
-from .parameters import ShapeError, at, declared, parameter, require
+from .parameters import Array, ShapeError, at, declared, parameter, require
 from .sampling import Count, Sampling, Tolerance, place
 from .self_intersection.folds import folds_told, running_backward
 from .steps import told_backward
 from .trajectories import Bezier, Polyline, Trajectory
 from .trajectories.arc_length import arc_length
 from .vectors import norms
+from .wording import shown
 
 AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle: {"width": 0.3, "height": 0.1}}
 SMOOTH = {Polyline: {"corner": "round"}}
@@ -216,7 +217,7 @@ class PDCurveSweep:
         Raises
         ------
         ShapeError
-            Where points are not finite, and where the shape itself would be refused.
+            Where points are no finite numbers, three in a row, and where the shape itself would be refused.
 
         Examples
         --------
@@ -230,7 +231,10 @@ class PDCurveSweep:
         >>> elbow.bend(straight.mesh().vertices).shape, elbow.bend([(0, 0, 2)]).round(6).tolist()
         ((8, 3), [[0.0, 1.27324, 0.0]])
         """
-        points = np.asarray(points, dtype=np.float64)
+        try:
+            points = Array(points).values
+        except (TypeError, ValueError):
+            raise ShapeError(f"must be rows of 3 numbers, got {shown(points)}", "points") from None
         require(points.ndim == 2 and points.shape[1] == 3, "must be (n, 3)", points.shape, "points")
         require(np.isfinite(points).all(), "must be finite", points[~np.isfinite(points)][:1].tolist(), "points")
         _, bending, _, _ = self.laid_out()

@@ -12,7 +12,10 @@ from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectan
 from sweep_addon.core.digest import digest
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.parameters import Array, ShapeError
+from sweep_addon.core.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.rotational_sweep import RotationalSweep
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
+from sweep_addon.core.translational_sweep import TranslationalSweep
 
 TRAJECTORIES = "line, arc, helix, torus-knot, polyline, bezier, nurbs, sampled, formula"
 CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"
@@ -258,6 +261,19 @@ def test_a_shape_that_will_not_do_is_refused(sentence):
 @pytest.mark.parametrize("beginning", BEGINNINGS)
 def test_a_refusal_says_how_much_is_too_much(beginning):
     assert refusal(lambda: GeneralizedCylinder(**BEGINNINGS[beginning]).mesh()).startswith(beginning)
+
+
+@pytest.mark.parametrize("shape", [GeneralizedCylinder, TranslationalSweep, RotationalSweep, PDCurveSweep])
+@pytest.mark.parametrize("dtype", [int, np.float16, complex, "metres"])
+def test_vertices_are_in_single_or_double_precision(shape, dtype):
+    """Whole numbers would cut off all coordinates, and half precision would leave three digits of them."""
+    assert refusal(lambda: shape().mesh(dtype)).startswith("dtype: must be float32 or float64, got ")
+    assert shape().mesh("float32").vertices.dtype == np.float32
+
+
+@pytest.mark.parametrize("points", ["x", None, [(1, 2), (3,)], [(1, 2, "3")], [(1, 2, 3j)]])
+def test_only_numbers_are_bent(points):
+    assert refusal(lambda: PDCurveSweep().bend(points)).startswith("points: must be rows of 3 numbers, got ")
 
 
 def test_a_long_list_is_refused_by_its_wrong_row():

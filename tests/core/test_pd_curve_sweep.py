@@ -146,6 +146,21 @@ def test_texture_lengths_are_true_on_sides_and_caps():
     assert PDCurveSweep(start=planes[0], texture="none").mesh().uv is None
 
 
+def test_caps_lie_beside_the_longest_side_of_an_oblique_end_in_the_texture():
+    planes = Plane((0, 0, -1), (2, 0, 1)), Plane((0, 0, 6), (-3, 0, 1))
+    mesh = PDCurveSweep(Rectangle(1, 1), UPRIGHT, ALONG_X, *planes, Count(7)).mesh()
+    faces = np.split(mesh.uv[:, 0], mesh.offsets[1:-1])
+    sides = np.concatenate([face for face, cap in zip(faces, mesh.topology.material, strict=True) if not cap])
+    start, end = (face for face, cap in zip(faces, mesh.topology.material, strict=True) if cap)
+    assert start.max() < sides.min() and sides.max() < end.min()
+    assert (sides.min(), sides.max()) == pytest.approx((-2, 7.5), abs=1e-12)
+
+
+def test_attributes_can_be_left_out_at_planes_too():
+    shape = PDCurveSweep(trajectory=UPRIGHT, direction=ALONG_X, start=Plane((0, 0, 1), (1, 0, 1)), attributes=False)
+    assert shape.mesh().attributes == {}
+
+
 def test_chart_keys_differ_where_a_plane_does():
     keys = {
         PDCurveSweep(trajectory=UPRIGHT, direction=ALONG_X, start=Plane((0, 0, 1), (x, 0, 1))).mesh().chart.keys
