@@ -6,9 +6,9 @@ from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ..sweep_addon.bridge import layout, objects, rna
-from ..sweep_addon.core.description import summary
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
+from ..sweep_addon.core.wording import summary
 
 
 class AddShape(AddObjectHelper):

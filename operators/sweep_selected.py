@@ -6,10 +6,10 @@ from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import objects, rna
-from ..sweep_addon.core.description import summary
 from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from ..sweep_addon.core.parameters import ShapeError, spelled
 from ..sweep_addon.core.shapes import SHAPES
+from ..sweep_addon.core.wording import summary
 
 
 class OBJECT_OT_sweep_selected(Operator):

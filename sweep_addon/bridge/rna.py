@@ -16,10 +16,9 @@ from functools import cache, lru_cache
 import bpy
 import numpy as np
 
-from ..core.description import summary
 from ..core.forms import plain
 from ..core.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
-from ..core.wording import titled
+from ..core.wording import summary, titled
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
@@ -31,16 +30,16 @@ def annotations(declared, prefix="", pointers=False, **callbacks):
     made = {}
     for p in declared:
         name = prefix + p.name
-        common = {"name": label(p), "description": p.doc, **callbacks}
         if p.item:
             if pointers:
                 common = {"name": label(p), "description": p.doc}
                 made[name] = bpy.props.CollectionProperty(type=item_group(p.item, **callbacks), **common)
             continue
-        made[name] = define(p, pointers, common)
+        made[name] = define(p, pointers, **callbacks)
         for kind in p.kinds:
             made |= annotations(inside(p, kind), f"{name}_{spelled(kind, '_')}_", pointers, **callbacks)
         if p.accepts and pointers:
+            common = {"name": label(p), "description": p.doc, **callbacks}
             made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=only(p.accepts), **common)
     return made
 
@@ -50,12 +49,13 @@ def item_group(kind, **callbacks):
     """The property group of what is in a list: to be registered before a group that has the list."""
     made = annotations(parameters(kind), pointers=True, **callbacks)
     name = f"SWEEP_PG_{spelled(kind, '_')}"
-    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": kind.__doc__})
+    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": summary(kind)})
 
 
-def define(p, pointers, common):
-    """The property of one parameter."""
-    common = {**common, "default": stored(p, p.default)}
+@cache
+def define(p, pointers, **callbacks):
+    """The property of one parameter, the same in all groups that have it: shapes share most of theirs."""
+    common = {"name": label(p), "description": p.doc, "default": stored(p, p.default), **callbacks}
     if p.kinds or isinstance(p.type, EnumMeta):
         items = [item(kind, summary(kind)) for kind in p.kinds]
         items = items or [item(member, member.value) for member in p.type]

@@ -9,7 +9,7 @@ from typing import NamedTuple, get_args, get_origin
 
 from .forms import VERSION, plain, scalar, tidy
 from .parameters import Array, inside, parameters, spelled
-from .wording import longest, within
+from .wording import longest, summary, within
 
 UNITS = {None: "", "length": "m", "angle": "rad"}
 
@@ -175,8 +175,3 @@ def type_schema(p):
     bounds = {"exclusiveMinimum": (p.above, -inf), "minimum": (p.minimum, -inf), "maximum": (p.maximum, inf)}
     named = {int: "integer", float: "number", bool: "boolean", str: "string"}[p.type]
     return {"type": named} | {word: bound for word, (bound, none) in bounds.items() if bound != none}
-
-
-def summary(kind):
-    """The first line of a class's docstring."""
-    return kind.__doc__.strip().partition("\n")[0]

@@ -35,12 +35,27 @@ def unchanging(cls, init):
     if "__repr__" not in vars(cls):
         cls.__repr__ = written
     cls = dataclass(init=False, eq=False, repr=False)(cls)
+    cls.__signature__ = WhenAsked(signature)
+    return cls
+
+
+class WhenAsked:
+    """An attribute of a class that is made each time somebody asks: help and consoles do, starting Blender does not."""
+
+    def __init__(self, made):
+        self.made = made
+
+    def __get__(self, value, cls):
+        return self.made(cls)
+
+
+def signature(cls):
+    """What the class takes, for help and consoles."""
     defaults = {name: field.default for name, field in cls.__dataclass_fields__.items()}
-    cls.__signature__ = Signature(
+    return Signature(
         Parameter(name, Parameter.POSITIONAL_OR_KEYWORD, default=Parameter.empty if default is MISSING else default)
         for name, default in defaults.items()
     )
-    return cls
 
 
 def filled(self, *values, **named):

@@ -20,7 +20,7 @@ from typing import dataclass_transform, get_args, get_origin
 import numpy as np
 
 from .frozen import bound, by_value, individual, unchanging
-from .wording import MEASURES, documented, item_of, longest, named, shown, spelled
+from .wording import MEASURES, Documented, item_of, longest, named, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 
@@ -163,7 +163,7 @@ def declared(cls):
             self.check()
 
     cls = unchanging(by_value(cls), settle)
-    cls.__doc__ = documented(cls)
+    cls.__doc__ = Documented(cls.__doc__)
     return cls
 
 
@@ -171,7 +171,7 @@ def declared(cls):
 def parameters(cls):
     """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
     found = (Parameter(f.name, f.type, f.default, **f.metadata) for f in fields(cls))
-    return tuple(replace(p, default=coerce(p, p.default)) for p in found)
+    return tuple(changed(p, default=coerce(p, p.default)) for p in found)
 
 
 @cache
@@ -187,10 +187,15 @@ def inside(union, kind):
 
 
 def told(p, union, default):
-    """A parameter of a kind with what a union says of it; the same one where that is nothing."""
-    changes = {"default": default, "unit": p.unit or union.unit, "doc": union.doc if p.shorthand else p.doc}
-    same = all(getattr(p, name) is value for name, value in changes.items())
-    return p if same else replace(p, **changes)
+    """A parameter of a kind with what a union says of it."""
+    return changed(p, default=default, unit=p.unit or union.unit, doc=union.doc if p.shorthand else p.doc)
+
+
+def changed(p, **words):
+    """A parameter of which some words are others; itself where none is, so that shapes share most of theirs."""
+    held = [(getattr(p, name), value) for name, value in words.items()]
+    same = all(old is new or type(old) is type(new) and old == new for old, new in held)
+    return p if same else replace(p, **words)
 
 
 def coerce(p, value):

@@ -5,12 +5,14 @@
 import re
 from dataclasses import fields, is_dataclass
 from enum import Enum, EnumMeta
-from functools import cache
+from functools import cache, partial
 from math import floor, inf, isfinite, log10
 from types import UnionType
 from typing import get_args, get_origin
 
 import numpy as np
+
+from .frozen import WhenAsked
 
 MEASURES = {None: "a number", "length": "a number of metres", "angle": "a number of radians"}
 UNITS = {"length": "in metres", "angle": "in radians"}
@@ -83,12 +85,25 @@ def within(unit, above=-inf, minimum=-inf, maximum=inf, size=""):
     return ", ".join(filter(None, (*said, size)))
 
 
-def documented(cls):
-    """The docstring of a declared class, with sections of what its fields say, for they say it already.
+def summary(kind):
+    """The first line of the docstring of a declared class, without making the rest of it."""
+    return vars(kind)["__doc__"].written.strip().partition("\n")[0]
+
+
+class Documented(WhenAsked):
+    """The docstring of a declared class, as it is written and with what its fields say."""
+
+    def __init__(self, written):
+        super().__init__(partial(documented, written))
+        self.written = written
+
+
+def documented(doc, cls):
+    """A docstring of a declared class, with sections of what its fields say, for they say it already.
 
     What is refused beyond the limits of single fields, the docstring of its ``check`` says.
     """
-    doc, declared = cls.__doc__, fields(cls)
+    declared = fields(cls)
     if not declared:
         return doc
     told = f"\n\nParameters\n----------\n{''.join(map(entry, declared))}\nRaises\n------\n{REFUSED}\n"

@@ -8,10 +8,10 @@ Undo brings parameters and mesh back together, Shift-D copies both and Alt-D sha
 import bpy
 
 from ..bridge import rna
-from ..core.description import summary
 from ..core.forms import VERSION
 from ..core.parameters import parameters, spelled
 from ..core.shapes import SHAPES
+from ..core.wording import summary
 from .live import rebuild
 
 
@@ -25,7 +25,7 @@ def shape_group(shape):
     """The property group of one shape."""
     name = spelled(shape, "_")
     made = rna.annotations(parameters(shape), pointers=True, update=update)
-    return type(f"SWEEP_PG_{name}", (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": shape.__doc__})
+    return type(f"SWEEP_PG_{name}", (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": summary(shape)})
 
 
 GROUPS = {spelled(shape, "_"): shape_group(shape) for shape in SHAPES}
