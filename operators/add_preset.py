@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Add a shape from a preset, which is a job file."""
 
+from functools import cache
+
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
@@ -10,6 +12,12 @@ from ..sweep_addon import presets
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import ShapeError
 from ..sweep_addon.core.trajectories import Line
+
+
+@cache  # Blender keeps no reference to what it is given
+def offered():
+    """The presets as items of an enum; what they say of themselves is read when somebody chooses, not at the start."""
+    return [(preset.name.upper(), preset.title, preset.doc) for preset in presets.PRESETS]
 
 
 class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
@@ -22,7 +30,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
     preset: EnumProperty(
         name="Preset",
         description="What to add",
-        items=[(preset.name.upper(), preset.title, preset.doc) for preset in presets.PRESETS],
+        items=lambda self, context: offered(),
     )
     follow: BoolProperty(
         name="Follow the Active Curve",

@@ -9,6 +9,7 @@ from ..sweep_addon.bridge import layout, objects, rna
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
 from ..sweep_addon.core.wording import summary
+from ..sweep_addon.properties.sweep import update
 
 
 class AddShape(AddObjectHelper):
@@ -42,7 +43,7 @@ def add_operator(shape):
     name = spelled(shape, "_")
     members = {
         "__doc__": summary(shape),
-        "__annotations__": rna.annotations(parameters(shape)),
+        "__annotations__": rna.annotations(parameters(shape), update=update),  # shared with the mesh's own
         "bl_idname": idname(shape),
         "bl_label": objects.title(shape),
         "shape": shape,

@@ -6,8 +6,10 @@ from bpy.props import EnumProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import objects
-from ..sweep_addon.core.forms import dump, python_source
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
+
+dump, python_source = later("core.forms", "dump", "python_source")
 
 FORMS = [
     ("PYTHON", "Python", "A line for Blender's Python console, input curves written into it"),

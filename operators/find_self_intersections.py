@@ -5,9 +5,12 @@
 import bpy
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import crossings, objects
+from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
 from ..sweep_addon.properties import finding
+
+crossings = later("bridge.crossings")
 
 
 class OBJECT_OT_sweep_find_self_intersections(Operator):

@@ -12,7 +12,7 @@ from ..operators.edit_as_curve import EDITABLE
 from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
-from ..sweep_addon.core.self_intersection.folds import PREFIX
+from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes import CLASSIFICATION
 from . import previews
 

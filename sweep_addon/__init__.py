@@ -13,9 +13,7 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 from importlib.util import find_spec
 
 from .core import contours, corners, directions, ends, frames, laws, limits, sampling, trajectories
-from .core.forms import dump
 from .core.generalized_cylinder import GeneralizedCylinder
-from .core.mesh import Mesh
 from .core.parameters import ShapeError
 from .core.pd_curve import PDCurve
 from .core.pd_curve_sweep import PDCurveSweep
@@ -47,7 +45,14 @@ __all__ = [
 if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
     __all__ += ["from_object", "to_object"]
 
-LATER = {"load": ".batch.job", "to_object": ".bridge.objects", "from_object": ".bridge.objects", "reach": ".core.reach"}
+LATER = {
+    "Mesh": ".core.mesh",
+    "dump": ".core.forms",
+    "load": ".batch.job",
+    "to_object": ".bridge.objects",
+    "from_object": ".bridge.objects",
+    "reach": ".core.reach",
+}
 
 
 def __dir__():

@@ -37,6 +37,9 @@ def imported(source, file):
             module = f"{above}/{(node.module or '').replace('.', '/')}".strip("/").removeprefix("./")
             for alias in node.names:
                 yield node.lineno, f"{module}/{alias.name}".removeprefix("./")
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "later":
+            if isinstance(node.args[0], ast.Constant):
+                yield node.lineno, "sweep_addon/" + node.args[0].value.replace(".", "/")
 
 
 def upward(file):
@@ -70,6 +73,7 @@ def test_nothing_imports_upwards(folder):
         ("from ...operators.add import Add", "operators/add/Add"),
         ("from ... import sweep_addon", "sweep_addon"),
         ("import sweep_addon.properties", "sweep_addon/properties"),
+        ('joined = later("core.joining", "joined")', "sweep_addon/core/joining"),
         ("from .frames import Frenet", "sweep_addon/core/frames/Frenet"),
     ],
 )

@@ -6,11 +6,14 @@ import bpy
 from mathutils import Matrix
 
 from ..core.contours import Mixed
+from ..core.later import later
 from ..core.parameters import ShapeError, at, parameters, require, spelled
 from ..core.sampling import rendered
 from ..core.shapes import SHAPES
 from ..core.wording import titled
-from . import beside, curves, meshes, rna
+from . import meshes, rna
+
+beside, curves = later("bridge.beside"), later("bridge.curves")
 
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 

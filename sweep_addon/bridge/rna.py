@@ -16,8 +16,8 @@ from functools import cache, lru_cache
 import bpy
 import numpy as np
 
-from ..core.forms import plain
 from ..core.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
+from ..core.plain import plain
 from ..core.wording import summary, titled
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
@@ -25,41 +25,50 @@ WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
 SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 
 
-def annotations(declared, prefix="", pointers=False, **callbacks):
+def annotations(declared, pointers=False, update=None):
     """The properties of some parameters; an operator can hold no pointers, and no lists of what may hold some."""
     made = {}
     for p in declared:
-        name = prefix + p.name
-        if p.item:
-            if pointers:
-                common = {"name": label(p), "description": p.doc}
-                made[name] = bpy.props.CollectionProperty(type=item_group(p.item, **callbacks), **common)
-            continue
-        made[name] = define(p, pointers, **callbacks)
-        for kind in p.kinds:
-            made |= annotations(inside(p, kind), f"{name}_{spelled(kind, '_')}_", pointers, **callbacks)
-        if p.accepts and pointers:
-            common = {"name": label(p), "description": p.doc, **callbacks}
-            made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=only(p.accepts), **common)
+        if not p.item:
+            made |= annotated(p, p.name, pointers and bool(p.accepts), update)
+        elif pointers:
+            made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **told(p))
     return made
 
 
 @cache
-def item_group(kind, **callbacks):
+def annotated(p, name, pointers, update):
+    """The properties of one parameter and of its kinds, shared by all that have it: most of a shape's are another's."""
+    made = {name: define(p, pointers, update)}
+    for kind in p.kinds:
+        for q in inside(p, kind):
+            made |= annotated(q, f"{name}_{spelled(kind, '_')}_{q.name}", pointers and bool(q.accepts), update)
+    if pointers:
+        poll = only(p.accepts)
+        made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, update=update, **told(p))
+    return made
+
+
+def told(p):
+    """What people are told of a parameter's property."""
+    return {"name": label(p), "description": p.doc}
+
+
+@cache
+def item_group(kind, update):
     """The property group of what is in a list: to be registered before a group that has the list."""
-    made = annotations(parameters(kind), pointers=True, **callbacks)
+    made = annotations(parameters(kind), pointers=True, update=update)
     name = f"SWEEP_PG_{spelled(kind, '_')}"
     return type(name, (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": summary(kind)})
 
 
-@cache
-def define(p, pointers, **callbacks):
-    """The property of one parameter, the same in all groups that have it: shapes share most of theirs."""
-    common = {"name": label(p), "description": p.doc, "default": stored(p, p.default), **callbacks}
+def define(p, pointers, update):
+    """The property of one parameter."""
+    common = {**told(p), "default": stored(p, p.default), "update": update}
     if p.kinds or isinstance(p.type, EnumMeta):
         items = [item(kind, summary(kind)) for kind in p.kinds]
         items = items or [item(member, member.value) for member in p.type]
-        if p.accepts and pointers:
+        if pointers:
             items.append(("OBJECT", "Object", "An object of the scene", 0))
         return bpy.props.EnumProperty(items=items, **common)
     if p.type in (bool, str) or p.is_list:
@@ -81,6 +90,7 @@ def define(p, pointers, **callbacks):
     return bpy.props.FloatVectorProperty(size=len(p.default), subtype="XYZ", **common)
 
 
+@cache
 def item(choice, doc):
     """An enum's item. Its number, from the name, is saved in files; keyframes add a half to it in float32: 23 bits."""
     name = spelled(choice, "_")

@@ -4,9 +4,11 @@
 
 import numpy as np
 
+from .later import later
 from .search import GOLDEN
-from .trajectories.arc_length import arc_length, subdivided
 from .vectors import dot, norms
+
+arc_length, subdivided = later("core.trajectories.arc_length", "arc_length", "subdivided")
 
 WIDEST_TURN = np.radians(30)  # a twist in one step; more looks broken at any tolerance
 WIDEST_BEND = np.radians(60)  # a bend in one step, so that a circle is a hexagon at least

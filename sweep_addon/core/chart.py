@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
 
-from enum import Enum
 from functools import cached_property
 
 import numpy as np
@@ -11,13 +10,8 @@ from .digest import checksum
 from .frozen import individual
 from .grid import Grid
 from .runs import backward, run_of
+from .texture import Texture
 from .vectors import product
-
-
-class Texture(Enum):
-    LENGTHS = "True lengths in metres along the trajectory and round the contour"
-    UNIT = "From 0 to 1 along the trajectory and round each loop of the contour, and over each cap"
-    NONE = "No texture coordinates"
 
 
 @individual

@@ -14,14 +14,16 @@ import numpy as np
 from .cubics import Basis
 from .frames import OfItsPlace, RotationMinimizing, fill
 from .frozen import individual
+from .later import later
 from .laws import hermite, monotone_slopes
 from .parameters import Array, ShapeError, declared, parameter, points, require
-from .rotations import signed_angle
 from .sampling import distinct
-from .search import highest
-from .trajectories.arc_length import arc_length, subdivided
 from .trajectories.chain import corner_cutting
 from .vectors import dot, norms, unit
+
+signed_angle = later("core.rotations", "signed_angle")
+highest = later("core.search", "highest")
+arc_length, subdivided = later("core.trajectories.arc_length", "arc_length", "subdivided")
 
 __all__ = ["Arrows", "Basis", "Cubic", "Direction", "Guide", "Parallel", "Tilt"]
 

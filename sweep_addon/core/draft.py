@@ -7,8 +7,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from .contours.crossing import crossings
 from .frozen import individual
+from .later import later
+
+crossings = later("core.contours.crossing", "crossings")
 
 ALIKE = 1e-6  # of a height: single precision, which Blender keeps, tells no less apart
 HALVINGS = 32  # of the way to a height at which edges meet

@@ -2,20 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Forms: a shape as text and back: as a job, in TOML, and as a line of Python.
 
-Between Python, job files and Blender lies one plain form, the tables, lists, numbers and text of TOML; `plain` writes
-it, and the constructors of shapes read it. A job says the version of its format, the kind of its shape, and every
+Between Python, job files and Blender lies one plain form (`plain.py`), which the constructors of shapes read. A job
+says the version of its format, the kind of its shape, and every
 parameter, so that its meaning does not change when a default does.
 """
 
 import json
 import re
 from dataclasses import is_dataclass
-from enum import Enum
 
-from .parameters import Array, ShapeError, from_table, parameters, require, spelled
+from .parameters import ShapeError, from_table, parameters, require, spelled
+from .plain import MIGRATIONS, VERSION, plain
 
-MIGRATIONS = ()  # MIGRATIONS[i] turns the table of a job of version i + 1 into one of version i + 2
-VERSION = len(MIGRATIONS) + 1
 LONGEST = 50_000_000  # bytes of a job
 DEEPEST = 32  # tables and lists inside one another
 WIDEST = 100  # characters of a line that is written
@@ -25,31 +23,6 @@ LONG_KEY = re.compile(rf"(?<![\w-]){KEY}(?:[ \t]*+\.[ \t]*+{KEY}){{{DEEPEST}}}")
 BARE = re.compile(r"""^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{#][^"'#]*)""")
 BARE_INSIDE = re.compile(r"""[{,][ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{},#][^"'\[\]{},#=]*)""")
 VALUE = re.compile(r"[+-]?(?:[\d_]+(?:\.[\d_]+)?(?:[eE][+-]?\d+)?|inf|nan|0[xob]\w+)|true|false|\d{4}-\d\d.*|\d\d:.*")
-
-
-def plain(value):
-    """A value as a job holds it: shorthand where there is one, a bare name for a kind without parameters.
-
-    >>> from sweep_addon.core.laws import Formula
-    >>> plain(Formula("1 - t"))
-    '1 - t'
-    """
-    if isinstance(value, Enum):
-        return spelled(value)
-    if isinstance(value, Array):
-        return value.values.tolist()
-    if isinstance(value, tuple):
-        return [held(item) if is_dataclass(item) else plain(item) for item in value]
-    if not is_dataclass(value):
-        return value
-    table = held(value)
-    bare = [table[p.name] for p in parameters(type(value)) if p.shorthand]
-    return bare[0] if bare else {"kind": spelled(type(value)), **table} if table else spelled(type(value))
-
-
-def held(value):
-    """The parameters of a declared value, plain."""
-    return {p.name: plain(getattr(value, p.name)) for p in parameters(type(value))}
 
 
 def tables(text):

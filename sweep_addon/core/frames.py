@@ -15,12 +15,14 @@ import numpy as np
 
 from . import sampling
 from .frozen import individual
+from .later import later
 from .parameters import ShapeError, declared, parameter, require
-from .rotations import rotated, signed_angle, turned, wrapped
-from .trajectories.arc_length import arc_length
-from .transport import transport
 from .vectors import cross, unit
 from .wording import near
+
+arc_length = later("core.trajectories.arc_length", "arc_length")
+rotated, signed_angle, turned, wrapped = later("core.rotations", "rotated", "signed_angle", "turned", "wrapped")
+transport = later("core.transport", "transport")
 
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
 

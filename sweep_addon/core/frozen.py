@@ -7,6 +7,7 @@ and enabling the extension makes seventy of them.
 """
 
 from dataclasses import MISSING, FrozenInstanceError, dataclass
+from functools import cache
 from inspect import Parameter, Signature
 from typing import dataclass_transform
 
@@ -61,11 +62,20 @@ def signature(cls):
 def filled(self, *values, **named):
     """Set all fields to the values given for them, by place or by name, or to their defaults."""
     given = bound(type(self), values, named)
-    for name, field in self.__dataclass_fields__.items():
-        value = given.get(name, field.default)
-        if value is MISSING:
+    optional, needed = defaults(type(self))
+    for name in needed:
+        if name not in given:
             raise TypeError(f"{type(self).__name__} needs a value for {name!r}")
-        self.__dict__[name] = value
+    self.__dict__.update(optional)
+    self.__dict__.update(given)
+
+
+@cache
+def defaults(cls):
+    """The defaults of a class by the names of their fields, and the names of the fields that have none."""
+    declared = {name: field.default for name, field in cls.__dataclass_fields__.items()}
+    needed = [name for name, default in declared.items() if default is MISSING]
+    return {name: default for name, default in declared.items() if default is not MISSING}, needed
 
 
 def bound(cls, values, named):

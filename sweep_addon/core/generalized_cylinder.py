@@ -9,30 +9,33 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import caps, closing
-from .along import Along, tapers, tips
-from .bevels import fanned
-from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour, Fit, Section, fitted
-from .domes import domes_of, with_domes
-from .drawn import affine, drawn
-from .enclosing import enclosing, halfway
 from .ends import End, Flat, Round, Taper
 from .frames import Frame, Frames, RotationMinimizing, axes
-from .grid import Grid
+from .later import later
 from .laws import Law
-from .mesh import Mesh, require_few
-from .mitres import leaned
 from .morph import AS_THICK, Blend, Match, Morph
 from .parameters import angle, at, declared, parameter, require
 from .rails import Guided, Rail, Rails
 from .sampling import Count, Sampling, Stations, Tolerance, place
-from .self_intersection.folds import folds_told, running_backward
-from .steps import mitred, told_backward
+from .texture import Texture
 from .trajectories import Helix, Trajectory
-from .trajectories.arc_length import arc_length
 from .vectors import dot
-from .volume_true import volume_true
+
+caps, closing = later("core.caps"), later("core.closing")
+Along, tapers, tips = later("core.along", "Along", "tapers", "tips")
+fanned = later("core.bevels", "fanned")
+Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
+domes_of, with_domes = later("core.domes", "domes_of", "with_domes")
+affine, drawn = later("core.drawn", "affine", "drawn")
+enclosing, halfway = later("core.enclosing", "enclosing", "halfway")
+Grid = later("core.grid", "Grid")
+Mesh, require_few = later("core.mesh", "Mesh", "require_few")
+leaned = later("core.mitres", "leaned")
+folds_told, running_backward = later("core.self_intersection.folds", "folds_told", "running_backward")
+mitred, told_backward = later("core.steps", "mitred", "told_backward")
+arc_length = later("core.trajectories.arc_length", "arc_length")
+volume_true = later("core.volume_true", "volume_true")
 
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour

@@ -8,8 +8,10 @@ A law is also made from what it holds: ``scale_x=0.5``, ``scale_x="1 - t/2"``, `
 
 import numpy as np
 
-from .expressions import compile, finite
-from .parameters import Array, declared, parameter, require
+from .later import later
+from .parameters import Array, declared, parameter, proven, require
+
+compile, finite = later("core.expressions", "compile", "finite")
 
 __all__ = ["Constant", "Formula", "Law", "Points"]
 
@@ -51,7 +53,7 @@ class Formula:
     @classmethod
     def like(cls, law):
         """The formula that says what a constant does, or nothing."""
-        return cls(f"{law.value:g}") if isinstance(law, Constant) else None
+        return proven(cls, text=f"{law.value:g}") if isinstance(law, Constant) else None
 
     @property
     def is_constant(self):

@@ -155,16 +155,27 @@ def declared(cls):
     """Make a frozen dataclass that coerces and checks its fields once, when a value is made, and documents them."""
 
     def settle(self, *values, **named):
-        given = bound(cls, values, named)
-        for p in parameters(cls):
-            with at("" if p.shorthand else p.name):
-                self.__dict__[p.name] = coerce(p, given[p.name]) if p.name in given else p.default
+        fill(self, bound(cls, values, named))
         if hasattr(cls, "check"):
             self.check()
 
     cls = unchanging(by_value(cls), settle)
     cls.__doc__ = Documented(cls.__doc__)
     return cls
+
+
+def fill(value, given):
+    """Set each field to what is given for it, as it is kept, or to its default."""
+    for p in parameters(type(value)):
+        with at("" if p.shorthand else p.name):
+            value.__dict__[p.name] = coerce(p, given[p.name]) if p.name in given else p.default
+
+
+def proven(cls, **given):
+    """A value whose ``check`` a test has run, since it stands in the source: it may take what only making needs."""
+    value = cls.__new__(cls)
+    fill(value, given)
+    return value
 
 
 @cache
@@ -188,7 +199,10 @@ def inside(union, kind):
 
 def told(p, union, default):
     """A parameter of a kind with what a union says of it."""
-    return changed(p, default=default, unit=p.unit or union.unit, doc=union.doc if p.shorthand else p.doc)
+    unit, doc = p.unit or union.unit, union.doc if p.shorthand else p.doc
+    if default is p.default and unit is p.unit and doc is p.doc:
+        return p
+    return changed(p, default=default, unit=unit, doc=doc)
 
 
 def changed(p, **words):

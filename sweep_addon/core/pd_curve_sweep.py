@@ -7,26 +7,30 @@ from functools import lru_cache
 
 import numpy as np
 
-from . import caps, generalized_cylinder
-from .bending import Bending, Rings
+from . import generalized_cylinder
 from .cells import WIDEST_TURN
-from .chart import Chart, Texture, lengths_around
 from .contours import Circle, Contour, Fit, Rectangle
 from .directions import Cubic, Direction, Tilt
-from .drawn import affine, drawn
 from .frames import Frames, turn
 from .generalized_cylinder import ATTRIBUTES, section_of
-from .grid import Grid
+from .later import later
 from .limits import Flat, Limit, Open, Plane
-from .mesh import Mesh, require_few
 from .parameters import Array, ShapeError, at, declared, parameter, require
 from .sampling import Count, Sampling, Tolerance, place
-from .self_intersection.folds import folds_told, running_backward
-from .steps import told_backward
+from .texture import Texture
 from .trajectories import Bezier, Polyline, Trajectory
-from .trajectories.arc_length import arc_length
 from .vectors import norms
 from .wording import shown
+
+caps = later("core.caps")
+Bending, Rings = later("core.bending", "Bending", "Rings")
+Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
+affine, drawn = later("core.drawn", "affine", "drawn")
+Grid = later("core.grid", "Grid")
+Mesh, require_few = later("core.mesh", "Mesh", "require_few")
+folds_told, running_backward = later("core.self_intersection.folds", "folds_told", "running_backward")
+told_backward = later("core.steps", "told_backward")
+arc_length = later("core.trajectories.arc_length", "arc_length")
 
 AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle: {"width": 0.3, "height": 0.1}}
 SMOOTH = {Polyline: {"corner": "round"}}

@@ -13,13 +13,15 @@ import numpy as np
 
 from .frames import OfItsPlace, flipping
 from .frozen import frozen
+from .later import later
 from .parameters import ShapeError, declared, parameter
-from .rotations import signed_angle, turned
-from .self_intersection.folds import roots
 from .trajectories import Line, Trajectory
-from .trajectories.arc_length import arc_length, subdivided
 from .vectors import dot, norms, unit
 from .wording import near
+
+signed_angle, turned = later("core.rotations", "signed_angle", "turned")
+roots = later("core.self_intersection.folds", "roots")
+arc_length, subdivided = later("core.trajectories.arc_length", "arc_length", "subdivided")
 
 __all__ = ["Guided", "Rail"]
 

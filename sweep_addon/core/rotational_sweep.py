@@ -9,20 +9,23 @@ from math import ceil, copysign, pi, sin, sqrt, tau
 
 import numpy as np
 
-from . import caps, in_plane, parting
 from .cells import WIDEST_BEND, chord_angle
-from .chart import Chart, Texture, lengths_around
 from .contours import Fit, Mixed, Outline, PlanarSet, all_fitted
-from .drawn import affine, drawn
 from .ends import Cap, Flat
 from .frames import Frames
-from .grid import Grid
-from .joining import joined
-from .mesh import Mesh, require_few
-from .parameters import ShapeError, angle, at, declared, parameter, require
+from .later import later
+from .parameters import ShapeError, angle, at, declared, parameter, proven, require
 from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
-from .self_intersection.folds import PREFIX
-from .welding import finished, welded
+from .self_intersection import PREFIX
+from .texture import Texture
+
+caps, in_plane, parting = later("core.caps"), later("core.in_plane"), later("core.parting")
+Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
+affine, drawn = later("core.drawn", "affine", "drawn")
+Grid = later("core.grid", "Grid")
+joined = later("core.joining", "joined")
+Mesh, require_few = later("core.mesh", "Mesh", "require_few")
+finished, welded = later("core.welding", "finished", "welded")
 
 ATTRIBUTES = "UVs and Attributes"
 WHOLE = 1e-6  # of a turn: an angle so close to one closes
@@ -58,7 +61,7 @@ class RotationalSweep:
     (1.0, 0)
     """
 
-    contour: PlanarSet = parameter(Outline([PULLEY]), "What turns", accepts=("CURVE", "FONT"))
+    contour: PlanarSet = parameter(proven(Outline, loops=[PULLEY]), "What turns", accepts=("CURVE", "FONT"))
     angle: float = angle(tau, "How far it turns; a whole turn closes", minimum=-MOST_TURNS * tau,
                          maximum=MOST_TURNS * tau)  # fmt: skip
     pitch: float = parameter(0.0, "How far it rises along the axis in a turn", unit="length")

@@ -9,14 +9,17 @@ import numpy as np
 
 from .cells import bend
 from .frozen import individual
+from .later import later
 from .parameters import ShapeError, count, declared, length, parameter, require
-from .spreading import MOST_STATIONS, distinct, fewest, spread, spread_evenly
-from .trajectories.arc_length import arc_length
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import dot, norms, unit
 
+distinct, fewest, spread, spread_evenly = later("core.spreading", "distinct", "fewest", "spread", "spread_evenly")
+arc_length = later("core.trajectories.arc_length", "arc_length")
+
 __all__ = ["Count", "Sampling", "Tolerance"]
 
+MOST_STATIONS = 200_000
 FINEST = 1e-9  # metres
 SHORTEST_STEP = 1e-9  # of the length: corners and marks closer than this are one
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from .cells import RESERVE, cells
 from .parameters import require
+from .sampling import MOST_STATIONS
 
-MOST_STATIONS = 200_000
 FLOOR = 0.05  # of the mean density, so that no step grows without bound where the curvature vanishes
 ROUNDS = 30  # two or three are usual
 

@@ -9,18 +9,21 @@ from math import atan, degrees, radians, tan
 
 import numpy as np
 
-from . import caps, in_plane
-from .chart import Chart, Texture, lengths_around
 from .contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
 from .draft import ALIKE, draft
-from .drawn import affine, drawn
 from .ends import Cap, Flat
 from .frames import Frames
-from .grid import Grid
-from .mesh import Mesh, require_few
+from .later import later
 from .parameters import Array, ShapeError, angle, count, declared, length, parameter, require
-from .welding import finished, welded
+from .texture import Texture
 from .wording import shown
+
+caps, in_plane = later("core.caps"), later("core.in_plane")
+Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
+affine, drawn = later("core.drawn", "affine", "drawn")
+Grid = later("core.grid", "Grid")
+Mesh, require_few = later("core.mesh", "Mesh", "require_few")
+finished, welded = later("core.welding", "finished", "welded")
 
 ATTRIBUTES = "UVs and Attributes"
 STEEPEST = radians(89)

@@ -6,32 +6,33 @@ Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.to
 """
 
 import re
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from glob import glob
+from os import sep
 from pathlib import Path
 
-from ..core.forms import shape_of, tables
 from ..core.frozen import frozen
+from ..core.later import later
 from ..core.parameters import at, pick
 from ..core.shapes import SHAPES
+
+shape_of, tables = later("core.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
 
 
 @frozen
 class Preset:
-    """A job file and its first line, a comment that says what the shape is."""
+    """A job file, whose first line is a comment that says what the shape is."""
 
     path: Path
-    doc: str
+    group: str  # the folder that it is in, whose presets are offered together; none for most
+    name: str
 
-    @property
-    def group(self):
-        """The folder that it is in, whose presets are offered together; none for most."""
-        return "" if self.path.parent == FOLDER else self.path.parent.name
-
-    @property
-    def name(self):
-        return f"{self.group}_{self.path.stem}" if self.group else self.path.stem
+    @cached_property
+    def doc(self):
+        with self.path.open(encoding="utf-8") as file:
+            return file.readline().lstrip("# ").rstrip(" .\n")
 
     @property
     def title(self):
@@ -43,18 +44,20 @@ def title(name):
     return name.replace("_", " ").title()
 
 
-def first_comment(path):
-    with path.open(encoding="utf-8") as file:
-        return file.readline().lstrip("# ").rstrip(" .\n")
+def found():
+    """The presets in the order in which they are offered."""
+    parts = (path.split(sep) for path in glob("**/*.toml", root_dir=FOLDER, recursive=True))
+    for *groups, file in sorted(parts, key=counted):
+        yield Preset(FOLDER.joinpath(*groups, file), "".join(groups), "_".join((*groups, file.removesuffix(".toml"))))
 
 
-def counted(path):
+def counted(parts):
     """The parts of a path to sort it by, numbers as numbers: m3 comes before m10."""
-    parts = re.split(r"(\d+)", str(path.relative_to(FOLDER)))
-    return [(part.isdigit(), int(part) if part.isdigit() else part) for part in parts]
+    words = re.split(r"(\d+)", "/".join(parts))
+    return [(word.isdigit(), int(word) if word.isdigit() else word) for word in words]
 
 
-PRESETS = tuple(Preset(path, first_comment(path)) for path in sorted(FOLDER.rglob("*.toml"), key=counted))
+PRESETS = tuple(found())
 PATHS = {preset.name: preset.path for preset in PRESETS}
 
 

@@ -8,9 +8,11 @@ Blender hangs at its end while there is a timer: there is none.
 
 import bpy
 
-from ..bridge import crossings
+from ..core.later import later
 from ..core.parameters import ShapeError
 from .live import set_if_other
+
+crossings = later("bridge.crossings")
 
 MOMENT = 0.5  # seconds without a change
 NEXT = 0.05  # until the next of several sweeps: in between, people can work

@@ -5,10 +5,12 @@
 import numpy as np
 
 from ..bridge import meshes, objects
-from ..core.digest import digest
-from ..core.forms import VERSION
-from ..core.joining import joined
+from ..core.later import later
 from ..core.parameters import ShapeError
+from ..core.plain import VERSION
+
+joined = later("core.joining", "joined")
+digest = later("core.digest", "digest")
 
 SHAPE_KEYS = "The mesh has shape keys, which a new mesh would lose: remove them, or Apply to keep the mesh as it is"
 

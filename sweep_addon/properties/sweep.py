@@ -8,16 +8,17 @@ Undo brings parameters and mesh back together, Shift-D copies both and Alt-D sha
 import bpy
 
 from ..bridge import rna
-from ..core.forms import VERSION
 from ..core.parameters import parameters, spelled
+from ..core.plain import VERSION
 from ..core.shapes import SHAPES
 from ..core.wording import summary
 from .live import rebuild
 
 
 def update(group, context):
+    """Make a mesh anew when its parameters change; operators that add shapes have the same properties and no mesh."""
     mesh = group.id_data
-    if not mesh.sweep.paused:
+    if isinstance(mesh, bpy.types.Mesh) and not mesh.sweep.paused:
         rebuild(mesh)
 
 
@@ -29,7 +30,7 @@ def shape_group(shape):
 
 
 GROUPS = {spelled(shape, "_"): shape_group(shape) for shape in SHAPES}
-ITEMS = {rna.item_group(p.item, update=update) for shape in SHAPES for p in parameters(shape) if p.item}
+ITEMS = {rna.item_group(p.item, update) for shape in SHAPES for p in parameters(shape) if p.item}
 
 
 def hidden(maker, **keywords):

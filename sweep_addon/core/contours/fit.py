@@ -7,9 +7,11 @@ from enum import Enum
 
 import numpy as np
 
+from ..later import later
 from ..parameters import require, spelled
 from ..vectors import dot
-from .crossing import crossings
+
+crossings = later("core.contours.crossing", "crossings")
 
 ROUNDING = 1e-12  # of the size: a lower rise is none
 CLOSE = 1e-9  # of the area: a worse one is wrong

@@ -6,11 +6,15 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..later import later
 from ..parameters import Array, at, declared, parameter, require
 from ..runs import following
-from .arcs import apexes, arc_points, chords, segments, tangent_turns
 from .loops import MOST_POINTS, joined
 from .section import SHARP, Section
+
+apexes, arc_points, chords, segments, tangent_turns = later(
+    "core.contours.arcs", "apexes", "arc_points", "chords", "segments", "tangent_turns"
+)
 
 CORNERS = ((-0.5, -0.5), (0.5, -0.5), (0.5, -0.3), (-0.3, -0.3), (-0.3, 0.5), (-0.5, 0.5))
 

@@ -8,11 +8,13 @@ from functools import cached_property
 import numpy as np
 
 from ..frozen import individual
+from ..later import later
 from ..runs import following, run_of
 from ..vectors import dot
 from .loops import joined, require_apart, require_area, without_coincident
-from .nesting import nesting
-from .symmetry import symmetry
+
+nesting = later("core.contours.nesting", "nesting")
+symmetry = later("core.contours.symmetry", "symmetry")
 
 SHARP = np.radians(20)  # an edge that turns by more is a corner; flattened curves turn by at most 15 degrees
 

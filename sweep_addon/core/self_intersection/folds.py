@@ -14,9 +14,10 @@ import numpy as np
 from ..search import highest
 from ..vectors import dot, norms
 from ..wording import near
+from . import PREFIX
 
 PEAKS = 16
-PREFIX, TOLD = "Self-intersection: ", 3  # how every sentence about it begins, and how many of one kind are told
+TOLD = 3  # sentences of one kind
 ROUNDING = 1e-12  # of the trajectory's length
 AROUND = np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
 NARROWINGS = 24  # 1e-5 of each interval is left, and a peak is flat

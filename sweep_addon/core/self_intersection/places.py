@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from math import floor, inf, log10
 
-from .folds import PREFIX, TOLD
+from . import PREFIX
+from .folds import TOLD
 
 KINDS = ("local", "corner", "global", "ends")
 

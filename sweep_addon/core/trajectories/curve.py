@@ -4,9 +4,11 @@
 
 import numpy as np
 
+from ..later import later
 from ..parameters import Array, require
 from ..vectors import norms, unit
-from .arc_length import arc_length
+
+arc_length = later("core.trajectories.arc_length", "arc_length")
 
 SAME_DIRECTION = 1e-6  # radians: tangents closer than this meet smoothly, a corner of a micrometre in a metre
 SHARPEST = np.cos(np.radians(179.99))  # a sharper turn is a reversal: its mitre would be 10,000 contours long

@@ -8,11 +8,13 @@ from math import tau
 
 import numpy as np
 
-from ..expressions import compile
-from ..jets import Jet
+from ..later import later
 from ..parameters import LARGEST, ShapeError, at, declared, parameter, require
-from .breaks import breaks
 from .curve import Trajectory
+
+compile = later("core.expressions", "compile")
+Jet = later("core.jets", "Jet")
+breaks = later("core.trajectories.breaks", "breaks")
 
 MEETING = 1e-5  # of the size: ends closer than this are one, for nobody writes all the digits of a turn
 AXES, NAMES = "xyz", ("", "first", "second", "third")

@@ -6,9 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
+from ..later import later
 from ..parameters import Array, declared, parameter, points, require
 from .chain import Chain
-from .neighbours import derivatives
+
+derivatives = later("core.trajectories.neighbours", "derivatives")
 
 SAME = 1e-9  # of the size: points closer than this are one
 DEFAULT = ((0, 0, 0), (1, 0, 0), (1, 1, 0.5), (0, 1, 1))

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Declaring shapes imports nothing that only makes meshes: whoever starts Blender with the extension waits for it."""
+
+import ast
+import subprocess
+import sys
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from sweep_addon.core.later import later
+from sweep_addon.core.laws import Constant, Formula
+from sweep_addon.core.parameters import inside, parameters
+from sweep_addon.core.shapes import SHAPES
+
+LIBRARY = Path(__file__).resolve().parents[2] / "sweep_addon"
+# Modules of the core that enabling the extension may not import. What shapes are declared of has no need of them.
+WAITING = """
+    along bending bevels boundary caps changing chart closing components description digest dimensions domes drawn
+    enclosing expressions forms functions grid hints in_plane jets joining kept laying leaning matching mesh mitres
+    parting reach regularizing rotations sheets spreading steps transport triangulate trimming volume_true welding
+    contours.arcs contours.arrangement contours.crossing contours.filling contours.flatten contours.fonts
+    contours.nesting contours.orientation contours.planar contours.ranges contours.reading contours.svg
+    contours.svg_document contours.symmetry
+    self_intersection.cells self_intersection.cylinders self_intersection.detect self_intersection.faces
+    self_intersection.folds self_intersection.lattice self_intersection.local self_intersection.pd_curves
+    self_intersection.places self_intersection.screws self_intersection.thickness
+    trajectories.arc_length trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
+""".split()
+DECLARED = """
+import sys
+from sweep_addon.core.parameters import inside, parameters
+from sweep_addon.core.shapes import SHAPES
+
+def ask(declared):
+    for p in declared:
+        ask(parameters(p.item) if p.item else ())
+        for kind in p.kinds:
+            ask(inside(p, kind))
+
+for shape in SHAPES:
+    ask(parameters(shape))
+print(*sys.modules)
+"""
+
+
+def test_declaring_every_shape_imports_nothing_that_makes_meshes():
+    told = subprocess.run([sys.executable, "-c", DECLARED], cwd=LIBRARY.parent, capture_output=True, text=True)
+    assert not told.stderr
+    imported = told.stdout.split()
+    assert "sweep_addon.core.shapes" in imported
+    assert [name for name in WAITING if f"sweep_addon.core.{name}" in imported] == []
+
+
+@pytest.mark.parametrize("name", WAITING)
+def test_what_waits_is_a_module(name):
+    assert import_module(f"sweep_addon.core.{name}")
+
+
+def waiting():
+    """What the core says will be imported later: a module, and what is meant of it."""
+    for file in LIBRARY.glob("core/**/*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "later":
+                if all(isinstance(argument, ast.Constant) for argument in node.args):
+                    yield [argument.value for argument in node.args]
+
+
+def test_what_is_imported_later_is_there():
+    found = list(waiting())
+    assert len(found) > 20
+    for module, *names in found:
+        held = import_module(f"sweep_addon.{module}")
+        assert [name for name in names if not hasattr(held, name)] == []
+
+
+def test_what_stands_for_a_class_knows_its_objects():
+    array, error = later("core.parameters", "Array", "ShapeError")
+    assert isinstance(array([1.0]), array) and not isinstance(array([1.0]), error)
+
+
+def defaults(declared):
+    """Every value that is declared as a default, of the kinds of unions too."""
+    for p in declared:
+        yield from (p.default,) if p.kinds else ()
+        yield from defaults(parameters(p.item)) if p.item else ()
+        for kind in p.kinds:
+            yield from defaults(inside(p, kind))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_every_declared_default_passes_the_check_that_declaring_may_leave_out(shape):
+    found = list(defaults(parameters(shape)))
+    assert len(found) > 1
+    for value in found:
+        assert replace(value) == value  # made anew, checked
+
+
+@pytest.mark.parametrize("number", [0.0, -1.0, 1e-12, 1 / 3, -1e12, 123456789.0])
+def test_the_formula_of_a_constant_is_one_though_it_is_not_checked(number):
+    said = Formula.like(Constant(number))
+    assert Formula(said.text) == said
+    assert said.evaluate(u=0.0, t=0.0, s=0.0) == pytest.approx(number, rel=1e-5)
