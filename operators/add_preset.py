@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Add a shape from a preset, which is a job file."""
 
-from functools import cache
-
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
@@ -12,12 +10,6 @@ from ..sweep_addon import presets
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import ShapeError
 from ..sweep_addon.core.trajectories import Line
-
-
-@cache  # Blender keeps no reference to what it is given
-def offered():
-    """The presets as items of an enum; what they say of themselves is read when somebody chooses, not at the start."""
-    return [(preset.name.upper(), preset.title, preset.doc) for preset in presets.PRESETS]
 
 
 class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
@@ -30,13 +22,19 @@ class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
     preset: EnumProperty(
         name="Preset",
         description="What to add",
-        items=lambda self, context: offered(),
+        items=[(preset.name.upper(), preset.title, "") for preset in presets.PRESETS],
     )
     follow: BoolProperty(
         name="Follow the Active Curve",
         description="Sweep a preset that is straight along the active curve, if that is selected",
         default=True,
     )
+
+    @classmethod
+    def description(cls, context, properties):
+        """The tooltip: what the preset's file says of it, which is read then and not when Blender starts."""
+        preset = next(preset for preset in presets.PRESETS if preset.name == properties.preset.lower())
+        return f"{preset.doc}. A straight one follows the active curve"
 
     def draw(self, context):
         self.layout.use_property_split = True

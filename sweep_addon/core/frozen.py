@@ -78,6 +78,13 @@ def defaults(cls):
     return {name: default for name, default in declared.items() if default is not MISSING}, needed
 
 
+def altered(value, **named):
+    """A copy of which some fields are others; `dataclasses.replace` asks for each field and makes the value anew."""
+    copy = object.__new__(type(value))
+    copy.__dict__.update(zip(value.__dataclass_fields__, held(value), strict=True), **named)
+    return copy
+
+
 def bound(cls, values, named):
     """The values given for fields, by the names of these."""
     names = cls.__dataclass_fields__

@@ -19,7 +19,7 @@ from typing import dataclass_transform, get_args, get_origin
 
 import numpy as np
 
-from .frozen import bound, by_value, individual, unchanging
+from .frozen import altered, bound, by_value, individual, unchanging
 from .wording import MEASURES, Documented, item_of, longest, named, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
@@ -167,8 +167,10 @@ def declared(cls):
 def fill(value, given):
     """Set each field to what is given for it, as it is kept, or to its default."""
     for p in parameters(type(value)):
-        with at("" if p.shorthand else p.name):
-            value.__dict__[p.name] = coerce(p, given[p.name]) if p.name in given else p.default
+        value.__dict__[p.name] = p.default
+        if p.name in given:
+            with at("" if p.shorthand else p.name):
+                value.__dict__[p.name] = coerce(p, given[p.name])
 
 
 def proven(cls, **given):
@@ -209,7 +211,7 @@ def changed(p, **words):
     """A parameter of which some words are others; itself where none is, so that shapes share most of theirs."""
     held = [(getattr(p, name), value) for name, value in words.items()]
     same = all(old is new or type(old) is type(new) and old == new for old, new in held)
-    return p if same else replace(p, **words)
+    return p if same else altered(p, **words)
 
 
 def coerce(p, value):
@@ -245,13 +247,20 @@ def coerce_option(p, value):
 
 def coerce_number(p, value):
     number = isinstance(value, Real) and not isinstance(value, (bool, np.bool_)) and abs(value) < inf
+    within = number and p.above < value <= min(p.maximum, LARGEST) and value >= max(p.minimum, -LARGEST)
+    if not (within and (p.type is float or value % 1 == 0)):
+        refuse_number(p, value, number)
+    return p.type(value) + 0  # turns -0.0 to 0.0
+
+
+def refuse_number(p, value, number):
+    """Say which limit a number is beyond, or that it is none."""
     require(number, f"must be {MEASURES[p.unit]}", value)
     require(abs(value) <= LARGEST, f"must be at most {LARGEST:g} in size", value)
     require(p.type is float or value % 1 == 0, "must be a whole number", value)
     require(value > p.above, f"must be more than {p.above:g}", value)
     require(value >= p.minimum, f"must be at least {p.minimum:g}", value)
     require(value <= p.maximum, f"must be at most {p.maximum:g}", value)
-    return p.type(value) + 0  # turns -0.0 to 0.0
 
 
 def require_few(p, size):
