@@ -210,7 +210,7 @@ def told(p, union, default):
 def changed(p, **words):
     """A parameter of which some words are others; itself where none is, so that shapes share most of theirs."""
     held = [(getattr(p, name), value) for name, value in words.items()]
-    same = all(old is new or type(old) is type(new) and old == new for old, new in held)
+    same = all(old is new or type(old) is type(new) is not tuple and old == new for old, new in held)  # (0,) == (0.0,)
     return p if same else altered(p, **words)
 
 
