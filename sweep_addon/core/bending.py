@@ -37,7 +37,7 @@ class Rings(NamedTuple):
     ends: tuple  # the sections at the start and at the end
     leaning: np.ndarray = ()  # the numbers of the rings whose points are at heights of their own: (k,)
     heights: np.ndarray = None  # these: (m, k)
-    lines: np.ndarray = None  # their places and the trajectory's parameter: (m, k, 4)
+    lines: np.ndarray = None  # their places and the trajectory's parameter: (m, 4, k)
 
 
 @frozen

@@ -131,8 +131,8 @@ class PDCurveSweep:
         from .leaning import Leaning
 
         columns = vertices.reshape(len(section.points), -1, 3)
-        columns[:, rings.leaning] = rings.lines[..., :3]
-        return Mesh(vertices, grid.topology(), Leaning(*chart, rings.leaning, rings.heights, rings.lines[..., 3]), told)
+        columns[:, rings.leaning] = rings.lines[:, :3].swapaxes(1, 2)
+        return Mesh(vertices, grid.topology(), Leaning(*chart, rings.leaning, rings.heights, rings.lines[:, 3]), told)
 
     def self_intersections(self):
         """Where the solid meets itself, and up to which size it does not.

@@ -35,7 +35,7 @@ class Spans:
         The heights between the spans, the start and the end of the axis among them.
     middle, half : (k + 2,) float array
         A span is a polynomial of (z - middle) / half.
-    coefficients : (k + 2, 3, ORDER, 4) float array
+    coefficients : (k + 2, 3, 4, ORDER) float array
         Of its powers from the lowest on: of the axis, then of e2 and e3, each x, y, z and the parameter u.
     exact : (k + 2,) bool array
         Whether it is one. Where not, at a joint of the direction say, each height has its own frame.
@@ -57,7 +57,7 @@ class Spans:
     @property
     def outward(self):
         """The directions in which it goes on before the start and after the end: (2, 3)."""
-        return self.coefficients[[0, -1], 0, 1, :3] * [[-1], [1]]
+        return self.coefficients[[0, -1], 0, :3, 1] * [[-1], [1]]
 
     def line(self, points, z):
         """The lines of points (m, 2) in the spans of z, (m,): a function of heights there, (m,) to (m, 3)."""
@@ -65,15 +65,15 @@ class Spans:
         if not self.exact[span].all():
             return lambda z: self.bending.bend(np.column_stack((points, z)))
         middle, half = self.middle[span], self.half[span]
-        lines = np.einsum("mw,mwjc->mjc", affine(points), self.coefficients[span])
-        return lambda z: np.einsum("jm,mjc->mc", powers((z - middle) / half), lines)[:, :3]
+        lines = np.einsum("mw,mwcj->mcj", affine(points), self.coefficients[span, :, :3])
+        return lambda z: np.einsum("jm,mcj->mc", powers((z - middle) / half, ORDER), lines)
 
     def lines(self, weights, z):
-        """The lines of points at heights, (m, n): places and the parameter u, (m, n, 4).
+        """The lines of points at heights, (m, n): places and the parameter u, (m, 4, n).
 
         The points are given by what they are made of, (m, 3), as `affine` says.
         """
-        found, ends = np.zeros((*z.shape, 4)), np.concatenate(([-np.inf], self.ends, [np.inf]))
+        found, ends = np.zeros((len(z), 4, z.shape[1])), np.concatenate(([-np.inf], self.ends, [np.inf]))
         first, last = np.searchsorted(self.ends, (z.min(), z.max()))
         own = np.full(z.shape, last - first >= FEW)
         for span in range(first, first if own.any() else last + 1):
@@ -83,12 +83,14 @@ class Spans:
                 continue
             touched = np.flatnonzero(inside.any(axis=0))
             rings = slice(touched.min(initial=z.shape[1]), touched.max(initial=0) + 1)
-            lines = (weights @ self.coefficients[span].reshape(3, -1)).reshape(-1, ORDER, 4)
+            terms = ORDER if 0 < span < len(self.ends) else 2  # it is straight beyond the ends
+            lines = (weights @ self.coefficients[span, ..., :terms].reshape(3, -1)).reshape(-1, 4, terms)
             x = (z[:, rings] - self.middle[span]) / self.half[span]
-            found[:, rings] += powers(x, inside[:, rings]).transpose(1, 2, 0) @ lines
+            found[:, :, rings] += lines @ powers(x, terms, inside[:, rings]).swapaxes(0, 1)
         if own.any():
+            point, ring = np.nonzero(own)
             there = stacked(self.bending.axis(z[own]))
-            found[own] = np.einsum("nw,nwc->nc", weights[np.nonzero(own)[0]], there)
+            found[point, :, ring] = np.einsum("nw,nwc->nc", weights[point], there)
         return found
 
 
@@ -98,10 +100,10 @@ def spans(bending):
     total, outer = bending.total, bending.axis(np.array((0.0, bending.total)))
     size = max(total, np.abs(outer.points).max())
     start, middle, half, series, exact = fitted(bending, size)
-    coefficients = np.zeros((len(start) + 2, 3, ORDER, 4))
-    coefficients[1:-1] = np.einsum("jk,nwck->nwjc", POWERS, series)
-    coefficients[[0, -1], :, 0] = stacked(outer)
-    coefficients[[0, -1], 0, 1, :3] = outer.e1
+    coefficients = np.zeros((len(start) + 2, 3, 4, ORDER))
+    coefficients[1:-1] = series @ POWERS.T
+    coefficients[[0, -1], ..., 0] = stacked(outer)
+    coefficients[[0, -1], 0, :3, 1] = outer.e1
     around = (middle, (0.0, total)), (half, 1.0), (exact, True)
     middle, half, exact = (np.pad(part, 1, constant_values=value) for part, value in around)
     return Spans(bending, np.append(start, total), middle, half, coefficients, exact)
@@ -151,11 +153,11 @@ def stacked(axis):
     return found
 
 
-def powers(x, first=1.0):
-    """The powers of x, (...), from the lowest on: (ORDER, ...); 0 where that is given as 0."""
-    found = np.empty((ORDER, *x.shape))
+def powers(x, terms, first=1.0):
+    """The powers of x, (...), from the lowest on: (terms, ...); all are 0 where that is given as 0."""
+    found = np.empty((terms, *x.shape))
     found[0] = first
-    for degree in range(1, ORDER):
+    for degree in range(1, terms):
         np.multiply(found[degree - 1], x, out=found[degree])
     return found
 

@@ -17,7 +17,7 @@ from .mesh import require_few
 from .parameters import ShapeError, at, require
 from .self_intersection.folds import roots
 from .spans import spans
-from .vectors import cross, norms, unit
+from .vectors import cross, dot, norms, unit
 
 FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
 ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
@@ -62,21 +62,22 @@ def trimmed(limits, bending, section, stations, tolerance):
     weights = np.concatenate((affine(section.points), np.eye(3)))
     lines = spans(bending).lines(weights, np.concatenate((heights, np.tile(middles, (3, 1)))))
     lines, own = lines[:-3], lines[-3:]
-    axis = bending.placed(stations)
-    known = zip(own[..., :3], (axis.points, axis.e2, axis.e3), strict=True)
-    leaning = before.shape[1]
+    axis, first = bending.placed(stations), before.shape[1]
+    leaning = np.arange(heights.shape[1])
+    leaning[first:] += len(axis.u[between])
 
-    def inserted(values, others):
-        return np.concatenate((values[:leaning], others[between], values[leaning:]))
+    def joined(values, others):
+        return np.concatenate((values[:first], others[between], values[first:]))
 
-    axes = np.stack([inserted(*pair) for pair in known])
+    axes = np.stack(
+        [joined(*pair) for pair in zip(own[:, :3].swapaxes(1, 2), (axis.points, axis.e2, axis.e3), strict=True)]
+    )
     outlines = tuple(
-        outline(limit, section, lines[:, side], axes[:, side]) if isinstance(limit, Plane) else section
+        outline(limit, section, lines[..., side], axes[:, side]) if isinstance(limit, Plane) else section
         for limit, side in zip(limits, (0, -1), strict=True)
     )
-    u, s = inserted(own[0, :, 3], axis.u), inserted(middles, stations.s)
-    rings = np.delete(np.arange(len(s)), slice(leaning, len(s) - after.shape[1]))
-    return Rings(section, u, s, axes, outlines, rings, heights, lines)
+    u, s = joined(own[0, 3], axis.u), joined(middles, stations.s)
+    return Rings(section, u, s, axes, outlines, leaning, heights, lines)
 
 
 def followed(limits, bending, section, tolerance):
@@ -85,65 +86,74 @@ def followed(limits, bending, section, tolerance):
     Returns
     -------
     section : Section
-    ends : list of two (m,) float arrays
+    ends : (2, m) float array
         Heights along the axis in metres; below 0 and above the total where the solid goes on straight.
     """
+    planes = [(side, limit) for side, limit in enumerate(limits) if isinstance(limit, Plane)]
     for halvings in range(HALVINGS, -1, -1):
         ahead = section.following.copy()
         ahead[section.gaps] = section.gaps
         points = np.concatenate((section.points, (section.points + section.points[ahead]) / 2))
-        missed, found = np.zeros(len(ahead)), []
-        for key, limit, end in zip(("start", "end"), limits, (0.0, bending.total), strict=True):
-            heights = np.full(len(points), end)
-            if isinstance(limit, Plane):
-                with at(key):
-                    heights, places = cuts(limit, bending, points, end > 0)
-                corners, middles = np.split(places, 2)
-                missed = np.maximum(missed, norms(middles - (corners + corners[ahead]) / 2))
-            found.append(heights[: len(ahead)])
+        found = np.tile([[0.0], [bending.total]], len(points))
+        intervals = []
+        for side, plane in planes:
+            with at(("start", "end")[side]):
+                intervals.append(interval(plane, bending, points, side))
+        heights, places = crossings([plane for _, plane in planes], bending, points, np.concatenate(intervals, axis=1))
+        found[[side for side, _ in planes]] = heights
+        corners, middles = np.split(places, 2, axis=1)
+        missed = norms(middles - (corners + corners[:, ahead]) / 2).max(axis=0)
         if missed.max() <= tolerance or not halvings:
-            return section, found
+            return section, found[:, : len(ahead)]
         section = section.divided(missed > tolerance)
 
 
-def cuts(plane, bending, points, at_end):
-    """Where a plane cuts the lines of points (m, 2), from the axis's start or its end on: heights, places (m, 3)."""
-    z, sides = looked_at(plane, bending, points, at_end)
-    above = sides >= 0
-    change = above[:, 1:] != above[:, :-1]
+def interval(plane, bending, points, side):
+    """Where lines of points (m, 2) first change their side of a plane, coming from the axis's start or end: (4, m).
+
+    Between two heights, of which each line is so far above the plane: two rows, and two.
+    """
+    z, above = looked_at(plane, bending, points, side)
+    change = (above[:, 1:] >= 0) != (above[:, :-1] >= 0)
     missed = ~change.any(axis=1)
     if missed.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(missed) + 1} not cut")
     first, every = change.argmax(axis=1), np.arange(len(points))
     again = change[:, : first.max() + 1].sum(axis=1) > 1
-    again |= above[:, 0] != above[0, 0]
+    again |= (above[:, 0] >= 0) != (above[0, 0] >= 0)
     if again.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(again) + 1} cut again before all others are")
-    low, high = z[first], z[first + 1]
-    line = spans(bending).line(points, (low + high) / 2)
-    found = roots(lambda z: plane.heights(line(z)), low, high, sides[every, first], sides[every, first + 1])
-    reach = bending.total + float(np.abs(points).max())
-    farthest = float(np.abs(found - np.clip(found, 0.0, bending.total)).max())
-    require(farthest <= FARTHEST * reach, f"must cut within {FARTHEST * reach:.6g} m of the trajectory's end", farthest)
-    return found, line(found)
+    return np.stack((z[first], z[first + 1], above[every, first], above[every, first + 1]))
 
 
-def looked_at(plane, bending, points, at_end):
+def looked_at(plane, bending, points, side):
     """Heights from beyond an end of the axis to its other end, (k,), and how far each line is above the plane, (m, k).
 
     The first height is beyond all cuts that there are beyond the end.
     """
     whole = spans(bending)
-    z, axes = (part[:: -1 if at_end else 1] for part in whole.looked_at)
+    z, axes = (part[:: -1 if side else 1] for part in whole.looked_at)
     levels = axes @ plane.across
     levels[:, 0] += plane.heights(np.zeros(3))
-    sides = affine(points) @ levels.T
-    outward = float(whole.outward[int(at_end)] @ plane.across)
+    above = affine(points) @ levels.T
+    outward = float(whole.outward[side] @ plane.across)
     if abs(outward) > FLAT:
-        far = max(float((-sides[:, 0] / outward).max()), 0.0) + bending.total
-        z = np.insert(z, 0, z[0] + (far if at_end else -far))
-        sides = np.column_stack((sides[:, 0] + far * outward, sides))
-    return z, sides
+        beyond, most = float((-above[:, 0] / outward).max()), FARTHEST * (bending.total + float(np.abs(points).max()))
+        require(beyond <= most, f"must cut within {most:.6g} m of the trajectory's end", beyond)
+        far = max(beyond, 0.0) + bending.total
+        z = np.insert(z, 0, z[0] + (far if side else -far))
+        above = np.column_stack((above[:, 0] + far * outward, above))
+    return z, above
+
+
+def crossings(planes, bending, points, intervals):
+    """Where lines of points (m, 2) cross planes, in intervals (4, p m): heights (p, m) and places (p, m, 3)."""
+    low, high, at_low, at_high = intervals
+    line = spans(bending).line(np.tile(points, (len(planes), 1)), (low + high) / 2)
+    across = np.repeat([plane.across for plane in planes], len(points), axis=0)
+    level = np.repeat([plane.heights(np.zeros(3)) for plane in planes], len(points))
+    found = roots(lambda z: dot(line(z), across) + level, low, high, at_low, at_high)
+    return found.reshape(len(planes), -1), line(found).reshape(len(planes), -1, 3)
 
 
 def ranged(stations, starts, ends, planes):

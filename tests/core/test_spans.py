@@ -47,8 +47,8 @@ def test_lines_round_a_circle_are_where_its_equation_puts_them():
         ((2 + y) * np.cos(s / 2) - beyond * np.sin(s / 2), (2 + y) * np.sin(s / 2) + beyond * np.cos(s / 2), x + 0 * z),
         axis=-1,
     )
-    assert np.abs(found[..., :3] - expected).max() < 1e-13
-    assert np.abs(found[..., 3] - s / 2).max() < 1e-13
+    assert np.abs(found[:, :3].swapaxes(1, 2) - expected).max() < 1e-13
+    assert np.abs(found[:, 3] - s / 2).max() < 1e-13
 
 
 @pytest.mark.parametrize("mirrored", [False, True])
@@ -62,7 +62,7 @@ def test_lines_are_where_a_frame_for_each_place_puts_them(kind, mirrored):
         z = axis.total * rng.uniform(low, high, (8, 60))
         expected = axis.bend(np.column_stack((np.repeat(points, 60, axis=0), z.ravel()))).reshape(8, 60, 3)
         size = max(np.abs(expected).max(), axis.total)
-        assert np.abs(pieces.lines(affine(points), z)[..., :3] - expected).max() < 2e-12 * size
+        assert np.abs(pieces.lines(affine(points), z)[:, :3].swapaxes(1, 2) - expected).max() < 2e-12 * size
         line = pieces.line(points, z[:, 0])
         assert np.abs(line(z[:, 0]) - expected[:, 0]).max() < 2e-12 * size
 
