@@ -74,19 +74,22 @@ class Spans:
         The points are given by what they are made of, (m, 3), as `affine` says.
         """
         found, ends = np.zeros((len(z), 4, z.shape[1])), np.concatenate(([-np.inf], self.ends, [np.inf]))
-        first, last = np.searchsorted(self.ends, (z.min(), z.max()))
+        low, high = z.min(axis=0), z.max(axis=0)
+        first, last = np.searchsorted(self.ends, (low.min(), high.max()))
         own = np.full(z.shape, last - first >= FEW)
         for span in range(first, first if own.any() else last + 1):
-            inside = (ends[span] < z) & (z <= ends[span + 1])
-            if not self.exact[span]:
-                own |= inside
+            touched = np.flatnonzero((low <= ends[span + 1]) & (high > ends[span]))
+            if not len(touched):
                 continue
-            touched = np.flatnonzero(inside.any(axis=0))
-            rings = slice(touched.min(initial=z.shape[1]), touched.max(initial=0) + 1)
+            rings = slice(touched[0], touched[-1] + 1)
+            inside = (ends[span] < z[:, rings]) & (z[:, rings] <= ends[span + 1])
+            if not self.exact[span]:
+                own[:, rings] |= inside
+                continue
             terms = ORDER if 0 < span < len(self.ends) else 2  # it is straight beyond the ends
             lines = (weights @ self.coefficients[span, ..., :terms].reshape(3, -1)).reshape(-1, 4, terms)
             x = (z[:, rings] - self.middle[span]) / self.half[span]
-            found[:, :, rings] += lines @ powers(x, terms, inside[:, rings]).swapaxes(0, 1)
+            found[:, :, rings] += lines @ powers(x, terms, inside).swapaxes(0, 1)
         if own.any():
             point, ring = np.nonzero(own)
             there = stacked(self.bending.axis(z[own]))

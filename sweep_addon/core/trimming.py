@@ -51,7 +51,8 @@ def trimmed(limits, bending, section, stations, tolerance):
     ShapeError
         Where a plane does not cut the line of every point once, and where nothing is left.
     """
-    section, (starts, ends) = followed(limits, bending, section, tolerance)
+    whole = spans(bending)
+    section, (starts, ends) = followed(limits, whole, section, tolerance)
     left = float((ends - starts).min())
     if left <= SHORTEST * bending.total:
         raise ShapeError(f"must leave something behind the start everywhere, got {left:.6g} m of it", "end")
@@ -60,7 +61,7 @@ def trimmed(limits, bending, section, stations, tolerance):
     heights = np.concatenate((before, after), axis=1)
     middles = heights.mean(axis=0)
     weights = np.concatenate((affine(section.points), np.eye(3)))
-    lines = spans(bending).lines(weights, np.concatenate((heights, np.tile(middles, (3, 1)))))
+    lines = whole.lines(weights, np.concatenate((heights, np.tile(middles, (3, 1)))))
     lines, own = lines[:-3], lines[-3:]
     axis, first = bending.placed(stations), before.shape[1]
     leaning = np.arange(heights.shape[1])
@@ -80,7 +81,7 @@ def trimmed(limits, bending, section, stations, tolerance):
     return Rings(section, u, s, axes, outlines, leaning, heights, lines)
 
 
-def followed(limits, bending, section, tolerance):
+def followed(limits, whole, section, tolerance):
     """A section whose edges are halved until straight ones follow the cuts, and where the lines of its points end.
 
     Returns
@@ -94,12 +95,12 @@ def followed(limits, bending, section, tolerance):
         ahead = section.following.copy()
         ahead[section.gaps] = section.gaps
         points = np.concatenate((section.points, (section.points + section.points[ahead]) / 2))
-        found = np.tile([[0.0], [bending.total]], len(points))
+        found = np.tile([[0.0], [whole.bending.total]], len(points))
         intervals = []
         for side, plane in planes:
             with at(("start", "end")[side]):
-                intervals.append(interval(plane, bending, points, side))
-        heights, places = crossings([plane for _, plane in planes], bending, points, np.concatenate(intervals, axis=1))
+                intervals.append(interval(plane, whole, points, side))
+        heights, places = crossings([plane for _, plane in planes], whole, points, np.concatenate(intervals, axis=1))
         found[[side for side, _ in planes]] = heights
         corners, middles = np.split(places, 2, axis=1)
         missed = norms(middles - (corners + corners[:, ahead]) / 2).max(axis=0)
@@ -108,48 +109,49 @@ def followed(limits, bending, section, tolerance):
         section = section.divided(missed > tolerance)
 
 
-def interval(plane, bending, points, side):
+def interval(plane, whole, points, side):
     """Where lines of points (m, 2) first change their side of a plane, coming from the axis's start or end: (4, m).
 
     Between two heights, of which each line is so far above the plane: two rows, and two.
     """
-    z, above = looked_at(plane, bending, points, side)
-    change = (above[:, 1:] >= 0) != (above[:, :-1] >= 0)
+    z, above = looked_at(plane, whole, points, side)
+    higher = above >= 0
+    change = higher[:, 1:] != higher[:, :-1]
     missed = ~change.any(axis=1)
     if missed.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(missed) + 1} not cut")
     first, every = change.argmax(axis=1), np.arange(len(points))
     again = change[:, : first.max() + 1].sum(axis=1) > 1
-    again |= (above[:, 0] >= 0) != (above[0, 0] >= 0)
+    again |= higher[:, 0] != higher[0, 0]
     if again.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(again) + 1} cut again before all others are")
     return np.stack((z[first], z[first + 1], above[every, first], above[every, first + 1]))
 
 
-def looked_at(plane, bending, points, side):
+def looked_at(plane, whole, points, side):
     """Heights from beyond an end of the axis to its other end, (k,), and how far each line is above the plane, (m, k).
 
     The first height is beyond all cuts that there are beyond the end.
     """
-    whole = spans(bending)
     z, axes = (part[:: -1 if side else 1] for part in whole.looked_at)
     levels = axes @ plane.across
     levels[:, 0] += plane.heights(np.zeros(3))
     above = affine(points) @ levels.T
     outward = float(whole.outward[side] @ plane.across)
     if abs(outward) > FLAT:
-        beyond, most = float((-above[:, 0] / outward).max()), FARTHEST * (bending.total + float(np.abs(points).max()))
+        total = whole.bending.total
+        beyond, most = float((-above[:, 0] / outward).max()), FARTHEST * (total + float(np.abs(points).max()))
         require(beyond <= most, f"must cut within {most:.6g} m of the trajectory's end", beyond)
-        far = max(beyond, 0.0) + bending.total
+        far = max(beyond, 0.0) + total
         z = np.insert(z, 0, z[0] + (far if side else -far))
         above = np.column_stack((above[:, 0] + far * outward, above))
     return z, above
 
 
-def crossings(planes, bending, points, intervals):
+def crossings(planes, whole, points, intervals):
     """Where lines of points (m, 2) cross planes, in intervals (4, p m): heights (p, m) and places (p, m, 3)."""
     low, high, at_low, at_high = intervals
-    line = spans(bending).line(np.tile(points, (len(planes), 1)), (low + high) / 2)
+    line = whole.line(np.tile(points, (len(planes), 1)), (low + high) / 2)
     across = np.repeat([plane.across for plane in planes], len(points), axis=0)
     level = np.repeat([plane.heights(np.zeros(3)) for plane in planes], len(points))
     found = roots(lambda z: dot(line(z), across) + level, low, high, at_low, at_high)
