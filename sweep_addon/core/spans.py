@@ -7,6 +7,7 @@ and where thousands of vertices lie on it, is then known without a frame for eac
 """
 
 from functools import cached_property, lru_cache
+from math import comb
 
 import numpy as np
 
@@ -20,6 +21,7 @@ EXACT = 1e-13  # of the size: the last two terms of a span; the next are a hundr
 EXACT_U = 1e-9  # of the domain: no place hangs on it
 ENOUGH = 32  # spans; what rounding leaves adds up over more of them
 MOST_HALVINGS, MOST_SPANS = 24, 512
+ROUNDING = 1e-17  # of the largest term: what is left out of a part of a span
 PLACES = 128  # at least, at which the whole axis is looked at
 FEW = 24  # spans that vertices are spread over: among more, each with its own frame is sooner placed
 
@@ -86,15 +88,27 @@ class Spans:
             if not self.exact[span]:
                 own[:, rings] |= inside
                 continue
-            terms = ORDER if 0 < span < len(self.ends) else 2  # it is straight beyond the ends
-            lines = (weights @ self.coefficients[span, ..., :terms].reshape(3, -1)).reshape(-1, 4, terms)
-            x = (z[:, rings] - self.middle[span]) / self.half[span]
-            found[:, :, rings] += lines @ powers(x, terms, inside).swapaxes(0, 1)
+            start, end = max(low[rings].min(), ends[span]), min(high[rings].max(), ends[span + 1])
+            part, centre, radius = self.part(span, start, end)
+            lines = (weights @ part.reshape(3, -1)).reshape(len(weights), 4, -1)
+            x = (z[:, rings] - centre) / radius
+            found[:, :, rings] += lines @ powers(x, part.shape[-1], inside).swapaxes(0, 1)
         if own.any():
             point, ring = np.nonzero(own)
             there = stacked(self.bending.axis(z[own]))
             found[point, :, ring] = np.einsum("nw,nwc->nc", weights[point], there)
         return found
+
+    def part(self, span, start, end):
+        """The part of a span between two heights as polynomials of (z - centre) / radius: these, centre and radius.
+
+        The shorter it is the fewer terms it has that rounding does not outweigh.
+        """
+        centre, radius = (start + end) / 2, (end - start) / 2 or 1.0
+        place, scale = (centre - self.middle[span]) / self.half[span], radius / self.half[span]
+        found = self.coefficients[span] @ (BINOMIALS * np.power(place, ABOVE) * scale ** np.arange(ORDER))
+        counted = np.abs(found).max(axis=(0, 1)) > ROUNDING * np.abs(found).max()
+        return found[..., : np.flatnonzero(counted)[-1] + 1], centre, radius
 
 
 @lru_cache(maxsize=16)
@@ -176,3 +190,5 @@ def power_series():
 SERIES = 2 / ORDER * np.cos(np.arange(ORDER)[:, None] * ANGLES)  # from values at the nodes to Chebyshev's polynomials
 SERIES[0] /= 2
 POWERS = power_series()
+ABOVE = np.maximum(np.arange(ORDER)[:, None] - np.arange(ORDER), 0)  # of a power in a shifted polynomial, by how many
+BINOMIALS = np.array([[comb(degree, power) for power in range(ORDER)] for degree in range(ORDER)], dtype=float)
