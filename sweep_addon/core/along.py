@@ -20,7 +20,7 @@ from .trajectories.arc_length import arc_length
 
 NOTHING = 1e-7  # of the largest scale: single precision cannot tell a contour this small from a point
 NEARLY = 0.01  # of the largest scale: between places so close a law that is not steep comes to zero
-SHARPLY = 68  # narrowings: 1e-14 of an interval is left
+SHARPLY = 22  # narrowings: 1e-14 of an interval is left
 SEARCHED = 4097  # places along the trajectory where a change of sign is looked for
 LAWS = ("scale_x", "scale_y", "twist", "offset_x", "offset_y")
 

@@ -165,7 +165,7 @@ class Arrows(Pointing):
         apart = norms(trajectory.evaluate(u) - points[:, None])
         node = apart.argmin(axis=1)
         ends = u[np.maximum(node - 1, 0)], u[np.minimum(node + 1, CELLS)]
-        found, _ = highest(lambda u: -norms(trajectory.evaluate(u) - points), *ends)
+        found, _ = highest(lambda u: -norms(trajectory.evaluate(u) - np.resize(points, (len(u), 3))), *ends)
         measure = arc_length(trajectory)
         t = np.clip(measure.at(found) / measure.total, 0.0, 1.0)
         order = np.argsort(t, kind="stable")

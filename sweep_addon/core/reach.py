@@ -21,7 +21,7 @@ from .vectors import dot, norms
 
 COARSE = 64  # arcs at the root of the tree, at least
 PEAKS = 32  # cells in which the highest is looked for
-ITERATIONS, SETTLED = 24, 1e-12  # a step of so little of the domain is the last
+ITERATIONS, SETTLED = 16, 1e-12  # a step of so little of the domain is the last
 FIRST = 64  # pairs whose distance is found first: it rules out most others
 FLAT = 1e-6  # of the larger eigenvalue: along a family of pairs, as a helix has, there is nowhere to go
 ACROSS = 1e-7  # cosine between a chord and a tangent: square to it
@@ -160,7 +160,7 @@ def nearest(trajectory, farthest):
         i, j = i[known], j[known]
         kept = possible(arcs, i, j, trajectory.closed, farthest)
         i, j = i[kept], j[kept]
-    distance = norms(arcs.points[j] - arcs.points[i]) - arcs.radius[i] - arcs.radius[j]
+    distance = least_distance(arcs, i, j)
     order, best = np.argsort(distance, kind="stable"), Reach(np.inf)
     for some in (order[:FIRST], order[FIRST:]):
         some = some[distance[some] < min(farthest, 2 * best.radius)]
@@ -170,11 +170,26 @@ def nearest(trajectory, farthest):
     return best
 
 
+def least_distance(arcs, i, j):
+    """What points of pairs of arcs are never nearer to each other than: (k,).
+
+    An arc is nowhere farther from the tangent in its middle than its cone times its radius, and along that tangent
+    it comes nearer by no more than what of it lies along the chord.
+    """
+    chord = arcs.points[j] - arcs.points[i]
+    distance = norms(chord)
+    direction = chord / np.where(distance > 0, distance, 1.0)[:, None]
+    return distance - sum(
+        arcs.radius[end] * np.minimum(np.abs(dot(direction, arcs.tangents[end])) + arcs.cone[end], 1.0)
+        for end in (i, j)
+    )
+
+
 def critical(trajectory, x, y, longest, least):
     """The nearest pair that Newton's method finds from pairs of parameters, on half the square of the distance.
 
-    No step is longer than that, and no pair is valid whose way along the trajectory is less than the least radius of
-    curvature: it turns by no right angle.
+    No step is longer than that along either axis of the square, and no pair is valid whose way along the trajectory is
+    less than the least radius of curvature: it turns by no right angle.
     """
     measure, (first, last) = arc_length(trajectory), trajectory.domain
 
@@ -183,10 +198,12 @@ def critical(trajectory, x, y, longest, least):
 
     todo = np.arange(len(x))
     for _ in range(ITERATIONS):
-        step = newton(trajectory, x[todo], y[todo])
-        step *= np.minimum(1.0, longest / np.maximum(np.abs(step).max(axis=0), np.finfo(float).tiny))
-        x[todo], y[todo] = inside(x[todo] + step[0]), inside(y[todo] + step[1])
-        todo = todo[np.abs(step).max(axis=0) > SETTLED * (last - first)]
+        before = np.stack((x[todo], y[todo]))
+        step = newton(trajectory, *before, longest)
+        after = inside(before + step)
+        x[todo], y[todo] = after
+        moved = step if trajectory.closed else after - before
+        todo = todo[np.abs(moved).max(axis=0) > SETTLED * (last - first)]
         if not len(todo):
             break
     chord = trajectory.evaluate(x) - trajectory.evaluate(y)
@@ -203,21 +220,29 @@ def critical(trajectory, x, y, longest, least):
     return Reach(radius, tuple(sorted((float(x[pair]), float(y[pair])))))
 
 
-def newton(trajectory, x, y):
+def newton(trajectory, x, y, longest):
     """The steps (2, n) of Newton's method towards pairs whose chord is across both tangents."""
-    chord = trajectory.evaluate(x) - trajectory.evaluate(y)
-    at_x, at_y = trajectory.derivative(x), trajectory.derivative(y)
-    a = dot(at_x, at_x) + dot(chord, trajectory.derivative(x, 2))
-    c = dot(at_y, at_y) - dot(chord, trajectory.derivative(y, 2))
-    return -solved(a, -dot(at_x, at_y), c, np.stack((dot(chord, at_x), -dot(chord, at_y))))
+    points, first, second = (
+        values.reshape(2, -1, 3)
+        for both in (np.concatenate((x, y)),)
+        for values in (trajectory.evaluate(both), trajectory.derivative(both), trajectory.derivative(both, 2))
+    )
+    chord = points[0] - points[1]
+    slope = dot(chord, first)
+    own = dot(first, first) + dot(chord, second) * ((1,), (-1,))
+    return -solved(own[0], -dot(*first), own[1], slope * ((1,), (-1,)), longest)
 
 
-def solved(a, b, c, right):
-    """The least solutions of symmetric systems [[a, b], [b, c]], flat directions left alone: (2, n)."""
+def solved(a, b, c, right, longest):
+    """The least solutions of symmetric systems [[a, b], [b, c]], flat directions left alone: (2, n).
+
+    Along either of its axes no solution is longer than that. Beside a family of pairs one axis is nearly flat, and
+    Newton's method would go far along it; along the other it is right at once.
+    """
     middle, radius = (a + c) / 2, np.hypot((a - c) / 2, b)
     angle = np.arctan2(b, (a - c) / 2) / 2
     axes = np.stack(((np.cos(angle), np.sin(angle)), (-np.sin(angle), np.cos(angle))))  # (2, 2, n)
     values = np.stack((middle + radius, middle - radius))
     flat = np.abs(values) < FLAT * np.abs(values).max(axis=0)
     along = (axes * right).sum(axis=1) / np.where(flat, np.inf, values)
-    return (axes * along[:, None]).sum(axis=0)
+    return (axes * along.clip(-longest, longest)[:, None]).sum(axis=0)

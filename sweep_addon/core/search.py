@@ -5,20 +5,23 @@
 import numpy as np
 
 GOLDEN = (np.sqrt(5) - 1) / 2
-NARROWINGS = 44  # 6e-10 of each interval is left: the highest value is flat, so nothing of it is
+PARTS = 9  # into which an interval is cut; two of them are left
+NARROWINGS = 14  # 7e-10 of each interval is left: the highest value is flat, so nothing of it is
 
 
 def highest(function, low, high, narrowings=NARROWINGS):
-    """Where a function is highest between pairs of ends, by golden sections, and how high.
+    """Where a function is highest between pairs of ends, and how high.
 
     Parameters
     ----------
     function : callable
-        From places (n,) to values (n,), with one peak in each interval.
+        From places (n,) to values (n,), with one peak in each interval. It is asked for several places of every
+        interval at once, the first of all intervals first: a few long questions are answered sooner than many short
+        ones, as golden sections ask.
     low, high : (n,) float array
         The ends.
     narrowings : int
-        Each leaves 0.618 of every interval.
+        Each leaves 2 / 9 of every interval.
 
     Examples
     --------
@@ -26,14 +29,13 @@ def highest(function, low, high, narrowings=NARROWINGS):
     >>> round(float(place[0]), 7) == round(np.pi / 2, 7), value.tolist()
     (True, [1.0])
     """
-    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_left, at_right = function(left), function(right)
+    here, steps = np.arange(len(low)), np.arange(PARTS + 1)[:, None] / PARTS
+    place, most = (low + high) / 2, np.full(len(low), -np.inf)
     for _ in range(narrowings):
-        rises = at_left < at_right
-        low, high = np.where(rises, left, low), np.where(rises, high, right)
-        kept, at_kept = np.where(rises, right, left), np.where(rises, at_right, at_left)
-        new = np.where(rises, low + GOLDEN * (high - low), high - GOLDEN * (high - low))
-        at_new = function(new)
-        left, right = np.where(rises, kept, new), np.where(rises, new, kept)
-        at_left, at_right = np.where(rises, at_kept, at_new), np.where(rises, at_new, at_kept)
-    return (low + high) / 2, np.maximum(at_left, at_right)
+        places = low + (high - low) * steps
+        values = function(places[1:-1].ravel()).reshape(PARTS - 1, len(low))
+        top = values.argmax(axis=0)
+        low, high = places[top, here], places[top + 2, here]
+        found = values[top, here]
+        place, most = np.where(found > most, places[top + 1, here], place), np.maximum(most, found)
+    return place, most

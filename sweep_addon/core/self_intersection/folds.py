@@ -20,7 +20,7 @@ PEAKS = 16
 TOLD = 3  # sentences of one kind
 ROUNDING = 1e-12  # of the trajectory's length
 AROUND = np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
-NARROWINGS = 24  # 1e-5 of each interval is left, and a peak is flat
+NARROWINGS = 8  # 6e-6 of each interval is left, and a peak is flat
 STEPS, SMALL = 40, 1e-13
 
 

@@ -41,10 +41,8 @@ class TorusKnot(Trajectory):
 
     def derivative(self, u, order=1, before=False):
         # a sum of turning pointers, each of which a derivative multiplies by i times its rate
-        u, p, q = np.asarray(u, dtype=float), self.p, self.q
-
-        def pointer(rate):
-            return (1j * rate) ** order * np.exp(1j * rate * u)
-
-        ring = self.major * pointer(p) + self.minor / 2 * (pointer(p + q) + pointer(p - q))
-        return np.stack((ring.real, ring.imag, self.minor * pointer(q).imag), axis=1)
+        u, p, q, half = np.asarray(u, dtype=float), self.p, self.q, self.minor / 2
+        about, through = np.exp(1j * p * u), np.exp(1j * q * u)
+        times = {rate: (1j * rate) ** order for rate in (p, q, p + q, p - q)}
+        ring = about * (times[p] * self.major + half * times[p + q] * through + half * times[p - q] * through.conj())
+        return np.stack((ring.real, ring.imag, self.minor * (times[q] * through).imag), axis=1)
