@@ -29,14 +29,11 @@ class Crossings(NamedTuple):
     points: np.ndarray  # (k, 3)
 
 
-def crossings(lattice, pairs):
-    """The cells that cross, of pairs of stretches, (p, 2) int array."""
-    return crossing(lattice, *candidates(lattice, pairs))
+NOTHING = Crossings(np.zeros((0, 2), int), np.zeros((0, 2), int), np.zeros((0, 3)))
 
 
-def any_cross(lattice, pairs):
-    """Whether any cells cross, of pairs of stretches: where many do, a few from everywhere show it."""
-    first, last = candidates(lattice, pairs)
+def any_cross(lattice, first, last):
+    """Whether any of pairs of cells, (2, k) bands and columns twice, cross: where many do, a few show it."""
     return any(len(crossing(lattice, first[:, ::step], last[:, ::step]).bands) for step in SPARSE)
 
 

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..bevels import bevels
-from ..cells import bend
+from ..cells import bend, cut
 from ..contours import Circle, Fit, fitted
 from ..ends import Flat, Open
 from ..frames import axes
@@ -26,24 +26,43 @@ ROUNDING = 1e-9  # of the radius: less is no crossing
 @lru_cache(maxsize=16)
 def of_cylinder(shape):
     """The places where a generalized cylinder meets itself: `Places`."""
-    swept = shape.swept()
-    unit = "radius" if isinstance(shape.contour, Circle) and not swept.along.change else "scale"
+    unit = "radius" if isinstance(shape.contour, Circle) and not shape.morph else "scale"
     size = shape.contour.radius if unit == "radius" else 1.0
-    radius = round_radius(shape, swept)
-    if radius:
-        best = thickest(swept.along.trajectory)
-        safe = size * best.radius / radius
-        if best.radius >= radius * (1 - ROUNDING):
-            return Places((), lambda: safe, unit)
+    along = laws(shape)
+    radius = round_radius(shape, along)
+    if not radius:
+        return places_of(shape, size, unit)
+    best = thickest(along.trajectory)
+
+    def places():
+        return places_of(shape, size, unit, along.trajectory).places or [nearest(along.trajectory, best)]
+
+    clean = best.radius >= radius * (1 - ROUNDING)
+    return Places(() if clean else places, lambda: size * best.radius / radius, unit)
+
+
+def places_of(shape, size, unit, tube=None):
+    """The places as the local test and the triangles tell of them: `Places`.
+
+    A round tube, whose trajectory is given, is known to meet itself: its rings are looked at as far apart as the points
+    of its contour are, which the mesh is as far from the true shape between as between closer ones.
+    """
+    swept = shape.swept()
     change = swept.along.change
     farthest = swept.along.farthest(float(norms(change.points if change else swept.body.section.points).max()))
     reaching = change.support if change else support(shape.contour)
     local = Local(swept.stations, carried(shape, swept), reaching, farthest)
     lattice = lattice_of(swept)
-    found = together(lattice, local, Legs(swept, lattice), size, unit)
-    if not radius:
-        return found
-    return Places(found.places or [nearest(swept.along.trajectory, best)], lambda: safe, unit)
+    if tube:
+        local.grid = local.measure.at(cut(local.measure))
+        lattice = lattice.spaced(swept.body.section.edge_lengths.max() * farthest / lattice.radii.max())
+    return together(lattice, local, Legs(swept, lattice), size, unit)
+
+
+def laws(shape):
+    """The laws of a generalized cylinder, before anything is laid out along them: `Along`."""
+    ends = (Flat(), Flat()) if shape.trajectory.closed else (shape.start, shape.end)
+    return shape.laid_out(*shape.moving(), ends)[0]
 
 
 def carried(shape, swept):
@@ -60,9 +79,8 @@ def carried(shape, swept):
     return at
 
 
-def round_radius(shape, swept):
+def round_radius(shape, along):
     """The radius of a round tube along a smooth trajectory whose reach says it all; 0 for any other shape."""
-    along = swept.along
     tube = isinstance(shape.contour, Circle) and not along.trajectory.carries and not any(along.tapers)
     if (
         along.change

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..search import GOLDEN
 from ..vectors import dot, norms
-from .cells import any_cross, crossings, through_face
+from .cells import NOTHING, any_cross, candidates, crossing, through_face
 from .folds import between
 from .lattice import BANDS, coarse
 from .places import Place, Places
@@ -14,6 +14,7 @@ from .places import Place, Places
 BISECTIONS = 16  # a hundred-thousandth of the size is left, or two
 LESS = 1 - 1e-9
 FIRST = 8  # pairs of stretches that are looked at first where one that meets is enough
+FEW = 10_000  # pairs of cells that are looked at closely, all of them
 ENOUGH = 1500  # rings that tell the largest safe size: it takes many looks
 
 
@@ -54,9 +55,23 @@ def meetings(lattice, folded):
     -------
     list of Place
     """
+    return [*stretches_met(*crossings(lattice, folded)), *ends_met(lattice, folded)]
+
+
+def crossings(lattice, folded):
+    """The cells of a lattice that cross, and the lattice of fewer rings whose cells they are."""
     lattice, pairs = coarse(lattice, folded)
-    found = crossings(lattice, pairs)
-    return [*stretches_met(lattice, found), *ends_met(lattice, folded)]
+    cells = candidates(lattice, pairs)
+    if len(cells[0][0]) <= FEW:
+        return lattice, crossing(lattice, *cells)
+    if not any_cross(lattice, *cells):
+        return lattice, NOTHING
+    rough, some = lattice, cells  # whether they cross the whole mesh has told; where, as in `coarse`, a part of it does
+    while len(some[0][0]) > FEW and (thinner := rough.coarser()):
+        rough, pairs = coarse(thinner, folded)
+        some = candidates(rough, pairs)
+    found = crossing(rough, *some)
+    return (rough, found) if len(found.bands) else (lattice, crossing(lattice, *cells))
 
 
 def clean(lattice):
@@ -65,7 +80,7 @@ def clean(lattice):
     pairs = pairs[np.argsort(np.arange(len(pairs)) * GOLDEN % 1)]
     start, size = 0, FIRST
     while start < len(pairs):
-        if any_cross(lattice, pairs[start : start + size]):
+        if any_cross(lattice, *candidates(lattice, pairs[start : start + size])):
             return False
         start, size = start + size, 4 * size
     return not ends_met(lattice, ())
@@ -202,10 +217,7 @@ def largest(lattice, limit, known):
 
     A lattice that is clean is scaled up to where it folds, or to where its contours are larger than the trajectory.
     """
-    while len(lattice.u) > ENOUGH:
-        thinner = lattice.thinned()
-        if len(thinner.u) > 0.8 * len(lattice.u):
-            break
+    while thinner := lattice.coarser(ENOUGH):
         lattice = thinner
     low, high = (1.0, 1.0) if known else (0.0, min(1.0, limit))
     most = min(limit, 2 * lattice.size / max(lattice.radii.max(), 1e-300))

@@ -113,6 +113,20 @@ class Lattice:
         kept[sharp] = kept[sharp + 1] = True
         return self.only(kept)
 
+    def coarser(self, fewest=FEWEST):
+        """The same thinned; None where no more rings are left than so many, or few can be left out."""
+        thinner = self.thinned() if len(self.u) > fewest else self
+        return thinner if len(thinner.u) <= 0.8 * len(self.u) else None
+
+    def spaced(self, step):
+        """As many rings of it as are that far apart, or turn by as much as thinned ones may, with the tips and ends."""
+        ways = norms(np.diff(self.path, axis=0)) / step, self.turns * (2 / WIDEST)
+        passed = sum(np.floor(np.concatenate(([0.0], np.cumsum(way)))) for way in ways)
+        kept = np.append(True, np.diff(passed) > 0)
+        kept[-1] = True
+        kept[np.isin(self.rings, self.grid.tips)] = True
+        return self.only(kept)
+
     def only(self, kept):
         """Some rings of it, as (n,) bools say."""
         parts = (self.path, self.middles, self.normals, self.radii, self.u, self.rings, self.leaning)
@@ -220,10 +234,8 @@ def coarse(lattice, folded):
         found = far_pairs(lattice, folded)
         if len(found) <= 2 * MANY:
             found = found[boxes_meet(lattice, *found.T)]
-        if len(found) <= MANY or len(lattice.u) <= FEWEST:
-            return lattice, found
-        thinner = lattice.thinned()
-        if len(thinner.u) > 0.8 * len(lattice.u):
+        thinner = lattice.coarser() if len(found) > MANY else None
+        if not thinner:
             return lattice, found
         lattice = thinner
 

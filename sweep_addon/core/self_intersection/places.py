@@ -48,7 +48,8 @@ class Places(Sequence):
 
     Parameters
     ----------
-    places : iterable of Place
+    places : iterable of Place, or callable
+        A callable gives those of a sweep that is known to meet itself, and is called once, when they are asked for.
     largest : callable
         Gives the largest safe size; it is called once, when it is asked for.
     unit : str
@@ -68,8 +69,13 @@ class Places(Sequence):
     """
 
     def __init__(self, places, largest=lambda: inf, unit="scale"):
-        self.places = tuple(sorted(places, key=lambda place: (KINDS.index(place.kind), place.parameters)))
-        self.unit, self.largest = unit, largest
+        self.found, self.unit, self.largest = places, unit, largest
+
+    @cached_property
+    def places(self):
+        """All of them: a tuple of Place."""
+        found = self.found() if callable(self.found) else self.found
+        return tuple(sorted(found, key=lambda place: (KINDS.index(place.kind), place.parameters)))
 
     @cached_property
     def largest_safe_size(self):
@@ -109,6 +115,9 @@ class Places(Sequence):
     def in_place_of(self, sentences):
         """What a mesh has told, with all places instead of the folds that it knows of: a tuple of sentences."""
         return (*(said for said in sentences if not said.startswith(PREFIX)), *self.told)
+
+    def __bool__(self):
+        return callable(self.found) or bool(self.places)
 
     def __len__(self):
         return len(self.places)
