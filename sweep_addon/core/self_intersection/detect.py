@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Detecting: the stretches of a lattice that meet, the ends that one goes through, and all places of a shape."""
 
+from functools import partial
+
 import numpy as np
 
 from ..search import GOLDEN
@@ -11,7 +13,7 @@ from .folds import between
 from .lattice import BANDS, coarse
 from .places import Place, Places
 
-BISECTIONS = 16  # a hundred-thousandth of the size is left, or two
+HALVINGS = 16  # a hundred-thousandth of the size is left, or two
 LESS = 1 - 1e-9
 FIRST = 8  # pairs of stretches that are looked at first where one that meets is enough
 FEW = 10_000  # pairs of cells that are looked at closely, all of them
@@ -72,18 +74,6 @@ def crossings(lattice, folded):
         some = candidates(rough, pairs)
     found = crossing(rough, *some)
     return (rough, found) if len(found.bands) else (lattice, crossing(lattice, *cells))
-
-
-def clean(lattice):
-    """Whether nothing of a lattice meets; where much does, a few pairs of stretches from everywhere show it."""
-    lattice, pairs = coarse(lattice, ())
-    pairs = pairs[np.argsort(np.arange(len(pairs)) * GOLDEN % 1)]
-    start, size = 0, FIRST
-    while start < len(pairs):
-        if any_cross(lattice, *candidates(lattice, pairs[start : start + size])):
-            return False
-        start, size = start + size, 4 * size
-    return not ends_met(lattice, ())
 
 
 def stretches_met(lattice, found):
@@ -205,7 +195,7 @@ def near_face(lattice, ring, folded):
 
 
 def largest(lattice, limit, known):
-    """The factor of the contours up to which a lattice is clean, by bisection, of a thousand rings or two.
+    """The factor of the contours up to which a lattice is clean, of a thousand rings or two.
 
     Parameters
     ----------
@@ -216,20 +206,65 @@ def largest(lattice, limit, known):
         Whether it is clean as it is.
 
     A lattice that is clean is scaled up to where it folds, or to where its contours are larger than the trajectory.
+    Where it meets itself, those stretches alone are followed down to where they part, and the whole is looked at there:
+    a few times, where a bisection would do so at every step.
     """
     while thinner := lattice.coarser(ENOUGH):
         lattice = thinner
+
+    def meets(factor):
+        """A function that tells of other factors whether what meets at this one does; None where nothing meets."""
+        found = meeting(lattice.scaled(factor))
+        return found and (lambda factor: found(lattice.scaled(factor)))
+
     low, high = (1.0, 1.0) if known else (0.0, min(1.0, limit))
     most = min(limit, 2 * lattice.size / max(lattice.radii.max(), 1e-300))
-    while known and high < most:  # a little more is looked at first: the more overlaps the longer it takes
+    still = None if known else meets(high * LESS if high == limit else high)
+    while known and not still and high < most:  # a little more first: the more overlaps the longer it takes
         low, high = high, min(2 * high, most)
-        if not clean(lattice.scaled(high * LESS)):
-            break
-        if high == most:
-            return limit
-    if not known and limit < 1 and clean(lattice.scaled(high * LESS)):
-        return limit
-    for _ in range(BISECTIONS if high > low else 0):
-        middle = (low + high) / 2
-        low, high = (middle, high) if clean(lattice.scaled(middle)) else (low, middle)
-    return low
+        still = meets(high * LESS)
+    if not still:
+        return limit if high == most else high
+    width = (high - low) / 2**HALVINGS
+    while still and high > low:
+        parted, high = where_parted(still, low, high, width)
+        still = meets(parted) if parted > low else None
+        high = parted
+    return high
+
+
+def where_parted(still, low, high, width):
+    """Where a test that holds at the higher factor ends to hold, and where it still does, no more than a width above.
+
+    It is looked for from above, in longer and longer steps: what meets next often does as long as what has met before.
+    """
+    step, below = width, max(high - width, low)
+    while below > low and still(below):
+        high, step = below, 4 * step
+        below = max(high - step, low)
+    while high - below > width:
+        middle = (below + high) / 2
+        below, high = (below, middle) if still(middle) else (middle, high)
+    return below, high
+
+
+def meeting(lattice):
+    """A function that tells of the same lattice, scaled otherwise, whether it meets itself where this one does.
+
+    None where this one is clean. Where much meets, a few pairs of stretches from everywhere show it.
+    """
+    looked_at, pairs = coarse(lattice, ())
+    pairs = pairs[np.argsort(np.arange(len(pairs)) * GOLDEN % 1)]
+    start, size = 0, FIRST
+    while start < len(pairs):
+        some = pairs[start : start + size]
+        if any_cross(looked_at, *candidates(looked_at, some)):
+            return partial(stretches_cross, rings=looked_at.rings, pairs=some)
+        start, size = start + size, 4 * size
+    return (lambda other: bool(ends_met(other, ()))) if ends_met(lattice, ()) else None
+
+
+def stretches_cross(lattice, rings, pairs):
+    """Whether any of pairs of stretches, of some rings of a lattice by their numbers, cross."""
+    lattice = lattice.only(np.isin(lattice.rings, rings))
+    return any_cross(lattice, *candidates(lattice, pairs))
