@@ -13,7 +13,7 @@ from .folds import between
 from .lattice import BANDS, coarse
 from .places import Place, Places
 
-HALVINGS = 16  # a hundred-thousandth of the size is left, or two
+HALVED = 2.0 ** np.array((5, 11, 16))  # of the size is left, closer and closer: a hundred-thousandth, or two
 LESS = 1 - 1e-9
 FIRST = 8  # pairs of stretches that are looked at first where one that meets is enough
 FEW = 10_000  # pairs of cells that are looked at closely, all of them
@@ -225,12 +225,15 @@ def largest(lattice, limit, known):
         still = meets(high * LESS)
     if not still:
         return limit if high == most else high
-    width = (high - low) / 2**HALVINGS
-    while still and high > low:
-        parted, high = where_parted(still, low, high, width)
-        still = meets(parted) if parted > low else None
-        high = parted
-    return high
+    for width in (high - low) / HALVED:
+        while still:
+            parted, high = where_parted(still, low, high, width)
+            below = meets(parted) if parted > low else None
+            if not below:
+                low = parted
+                break
+            high, still = parted, below
+    return low
 
 
 def where_parted(still, low, high, width):
