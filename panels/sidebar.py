@@ -111,7 +111,8 @@ def draw_sweep(layout, context, mesh, say):
 def draw_self_intersections(layout, sweep, say):
     """The folds, and all places where the sweep meets itself once they have been looked for.
 
-    That is a moment after the last change, so this stands below the parameters: nothing moves under the mouse.
+    That is a moment after the last change, so this stands below the parameters: nothing moves under the mouse. Where the
+    largest safe size takes a search, it waits for a click.
     """
     found = [sentence for sentence in sweep.told.split("\n") if sentence.startswith(PREFIX)]
     if sweep.looked_at == sweep.made:
@@ -123,6 +124,8 @@ def draw_self_intersections(layout, sweep, say):
         say(layout, "There are more places.", "BLANK1")
     for sentence in found[len(places) :]:
         say(layout, sentence, "BLANK1")
+    if places and len(places) == len(found) and sweep.looked_at == sweep.made:
+        layout.operator("object.sweep_find_self_intersections", text="Find Largest Safe Size")
     if found:
         layout.operator("object.sweep_select_self_intersections", icon="RESTRICT_SELECT_OFF")
     else:

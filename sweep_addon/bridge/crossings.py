@@ -7,16 +7,23 @@ import numpy as np
 from . import objects
 
 
-def told(mesh):
+def told(mesh, searched=True):
     """Sentences about all places where the sweeps of a mesh meet themselves: a tuple of str.
+
+    Parameters
+    ----------
+    mesh : bpy.types.Mesh
+    searched : bool
+        Whether the largest safe size is told too where it takes a search: a tenth of a second, or seconds.
 
     Raises
     ------
     ShapeError
         Where a shape cannot be made.
     """
-    shapes = objects.shapes(mesh)
-    return tuple(dict.fromkeys(sentence for shape in shapes for sentence in shape.self_intersections().told))
+    found = (shape.self_intersections() for shape in objects.shapes(mesh))
+    sentences = (places.told if searched else places.told_at_once for places in found)
+    return tuple(dict.fromkeys(sentence for some in sentences for sentence in some))
 
 
 def select(mesh):

@@ -18,10 +18,13 @@ MOMENT = 0.5  # seconds without a change
 NEXT = 0.05  # until the next of several sweeps: in between, people can work
 
 
-def find(mesh):
-    """Find where a sweep meets itself as it is now, and keep what is told on the mesh: a tuple of sentences."""
+def find(mesh, searched=True):
+    """Find where a sweep meets itself as it is now, and keep what is told on the mesh: a tuple of sentences.
+
+    Where the largest safe size takes a search, it is told only on request.
+    """
     try:
-        told = crossings.told(mesh)
+        told = crossings.told(mesh, searched)
     except ShapeError:
         told = ()  # why it cannot be made is told already
     set_if_other(mesh.sweep, "places", "\n".join(told))
@@ -50,7 +53,7 @@ def look():
         return None
     if bpy.app.is_job_running("RENDER"):
         return MOMENT  # meshes are as the render asks for
-    find(due[0])
+    find(due[0], searched=False)  # nobody has asked, and the window waits
     redraw()
     return NEXT if len(due) > 1 else None
 

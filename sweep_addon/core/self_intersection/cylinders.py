@@ -38,7 +38,7 @@ def of_cylinder(shape):
         return places_of(shape, size, unit, along.trajectory).places or [nearest(along.trajectory, best)]
 
     clean = best.radius >= radius * (1 - ROUNDING)
-    return Places(() if clean else places, lambda: size * best.radius / radius, unit)
+    return Places(() if clean else places, lambda: size * best.radius / radius, unit, at_once=True)
 
 
 def places_of(shape, size, unit, tube=None):

@@ -54,6 +54,8 @@ class Places(Sequence):
         Gives the largest safe size; it is called once, when it is asked for.
     unit : str
         What the size is: ``"radius"``, that of the round contour in metres, or ``"scale"``, a factor of all scales.
+    at_once : bool
+        Whether the size is known already, and takes no search.
 
     Examples
     --------
@@ -68,8 +70,8 @@ class Places(Sequence):
     No self-intersection.
     """
 
-    def __init__(self, places, largest=lambda: inf, unit="scale"):
-        self.found, self.unit, self.largest = places, unit, largest
+    def __init__(self, places, largest=lambda: inf, unit="scale", at_once=False):
+        self.found, self.unit, self.largest, self.at_once = places, unit, largest, at_once
 
     @cached_property
     def places(self):
@@ -107,10 +109,20 @@ class Places(Sequence):
     @property
     def told(self):
         """The places as sentences for people, the first few of many, and the largest safe size."""
-        shown = [f"{PREFIX}{place}" for place in self.places[:TOLD]]
-        if len(self.places) > TOLD:
-            shown.append(f"{PREFIX}{len(self.places) - TOLD} more places.")
-        return (*shown, self.advice) if shown and self.advice else tuple(shown)
+        shown = self.shown
+        return (*shown, self.advice) if shown and self.advice else shown
+
+    @property
+    def told_at_once(self):
+        """The same without the largest safe size, where that takes a search."""
+        return self.told if self.at_once else self.shown
+
+    @property
+    def shown(self):
+        """The places as sentences for people, the first few of many."""
+        shown = tuple(f"{PREFIX}{place}" for place in self.places[:TOLD])
+        more = len(self.places) - TOLD
+        return (*shown, f"{PREFIX}{more} more places.") if more > 0 else shown
 
     def in_place_of(self, sentences):
         """What a mesh has told, with all places instead of the folds that it knows of: a tuple of sentences."""
