@@ -29,9 +29,6 @@ class Crossings(NamedTuple):
     points: np.ndarray  # (k, 3)
 
 
-NOTHING = Crossings(np.zeros((0, 2), int), np.zeros((0, 2), int), np.zeros((0, 3)))
-
-
 def any_cross(lattice, first, last):
     """Whether any of pairs of cells, (2, k) bands and columns twice, cross: where many do, a few show it."""
     return any(len(crossing(lattice, first[:, ::step], last[:, ::step]).bands) for step in SPARSE)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..search import GOLDEN
 from ..vectors import dot, norms
-from .cells import NOTHING, any_cross, candidates, crossing, through_face
+from .cells import any_cross, candidates, crossing, through_face
 from .folds import between
 from .lattice import BANDS, coarse
 from .places import Place, Places
@@ -16,7 +16,7 @@ from .places import Place, Places
 HALVED = 2.0 ** np.array((5, 11, 16))  # of the size is left, closer and closer: a hundred-thousandth, or two
 LESS = 1 - 1e-9
 FIRST = 8  # pairs of stretches that are looked at first where one that meets is enough
-FEW = 10_000  # pairs of cells that are looked at closely, all of them
+FEW, SHOWING = 300, 32  # pairs of stretches that are all looked at closely, and that show whether many meet
 ENOUGH = 1500  # rings that tell the largest safe size: it takes many looks
 
 
@@ -63,17 +63,15 @@ def meetings(lattice, folded):
 def crossings(lattice, folded):
     """The cells of a lattice that cross, and the lattice of fewer rings whose cells they are."""
     lattice, pairs = coarse(lattice, folded)
-    cells = candidates(lattice, pairs)
-    if len(cells[0][0]) <= FEW:
-        return lattice, crossing(lattice, *cells)
-    if not any_cross(lattice, *cells):
-        return lattice, NOTHING
-    rough, some = lattice, cells  # whether they cross the whole mesh has told; where, as in `coarse`, a part of it does
-    while len(some[0][0]) > FEW and (thinner := rough.coarser()):
-        rough, pairs = coarse(thinner, folded)
-        some = candidates(rough, pairs)
-    found = crossing(rough, *some)
-    return (rough, found) if len(found.bands) else (lattice, crossing(lattice, *cells))
+    rough, some = lattice, pairs[:: max(len(pairs) // SHOWING, 1)]
+    if len(pairs) > FEW and any_cross(lattice, *candidates(lattice, some)):  # it does meet; where, fewer rings tell too
+        some = pairs
+        while len(some) > FEW and (thinner := rough.coarser()):
+            rough, some = coarse(thinner, folded)
+        found = crossing(rough, *candidates(rough, some))
+        if len(found.bands):
+            return rough, found
+    return lattice, crossing(lattice, *candidates(lattice, pairs))
 
 
 def stretches_met(lattice, found):

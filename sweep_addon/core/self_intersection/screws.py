@@ -18,7 +18,9 @@ def of_rotation(shape):
     if not shape.pitch:
         kept = any(all(sides(section)) for section in sections)
         through = kept or abs(shape.turn) > np.pi and level(sections)  # in half a turn the sides change places
-        return Places([both_sides(shape, sections[0])] if through else (), lambda: 0.0 if through else np.inf, at_once=True)
+        return Places(
+            [both_sides(shape, sections[0])] if through else (), lambda: 0.0 if through else np.inf, at_once=True
+        )
     turns = shape.turns(sections)
     lattices = [lattice_of(shape, section, turns) for section in sections if section.edge_lengths.any()]
     places = [place for lattice in lattices for place in meetings(lattice, ())]
