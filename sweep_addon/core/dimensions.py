@@ -14,6 +14,8 @@ from .runs import run_of
 from .sheets import in_pairs, partners, shells
 
 NAMES = ("solid", "surface", "curve", "point")
+FEW = 4  # contours that show all of a sweep that turns little
+PLACES = ("dangling edge", "connecting edge", "singular point", "non-manifold edge")
 
 
 @individual
@@ -61,16 +63,49 @@ class Dimensions:
         """Whether all parts are of one dimension."""
         return sum(map(bool, self.parts)) == 1
 
-    def __str__(self):
-        named = zip(NAMES, self.parts, (3, 2, 1, 0), strict=True)
-        said = [", ".join(f"{counted(number, name)} ({dimension}D)" for name, number, dimension in named if number)]
-        places = (
-            ("dangling edge", self.dangling_edges),
-            ("connecting edge", self.connecting_edges),
-            ("singular point", self.singular_points),
-            ("non-manifold edge", self.non_manifold_edges),
+    @property
+    def places(self):
+        """How many dangling and connecting edges, singular points and non-manifold edges there are."""
+        return tuple(
+            map(len, (self.dangling_edges, self.connecting_edges, self.singular_points, self.non_manifold_edges))
         )
-        return "; ".join(said + [counted(len(found), name) for name, found in places if len(found)])
+
+    def __str__(self):
+        return sentence(self.parts, self.places)
+
+
+def sentence(parts, places):
+    """The parts and places of a mesh, by their numbers, for people."""
+    named = zip(NAMES, parts, (3, 2, 1, 0), strict=True)
+    said = [", ".join(f"{counted(number, name)} ({dimension}D)" for name, number, dimension in named if number)]
+    return "; ".join(said + [counted(number, name) for name, number in zip(PLACES, places, strict=True) if number])
+
+
+def told(mesh, fewer, turned=0):
+    """What is told of the parts of a sweep: counted on two of few contours where it has many.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Of the sweep.
+    fewer : callable
+        From a number of contours to the mesh of the same sweep with so many, or some more: these.
+    turned : int
+
+    Returns
+    -------
+    str
+        As `Dimensions` prints it.
+
+    From contour to contour all steps are alike: each has the same edges and the same faces round them, whose order is
+    that of the edges in the plane halfway. One contour more adds no part, and as many places as any other.
+    """
+    if mesh.rings <= 2 * (FEW + turned):
+        return str(mesh.dimensions())
+    few, more = fewer(FEW), fewer(FEW + 1)
+    left = (mesh.rings - few.rings) // (more.rings - few.rings)
+    few, more = few.dimensions(), more.dimensions()
+    return sentence(few.parts, (a + left * (b - a) for a, b in zip(few.places, more.places, strict=True)))
 
 
 def counted(number, name):

@@ -136,13 +136,21 @@ class RotationalSweep:
         >>> len(half.section().points), RotationalSweep(half, samples=Count(8)).mesh().vertices.shape
         (7, (42, 3))
         """
+        mesh, mixed = self.whole(dtype)
+        turned = ceil(abs(self.turn) / WIDEST_BEND)
+        return finished(
+            mesh, mixed, self.regularize, lambda few: replace(self, samples=Count(turned + few)).whole()[0], turned
+        )
+
+    def whole(self, dtype=np.float64):
+        """The mesh, solid or not, and whether it may be of mixed dimension."""
         sections, bodies = self.sections(), self.bodies(dtype)
         mixed = isinstance(self.contour, Mixed) or self.crossing is Crossing.MEET and len(sections) > 1
         drawn_as = (self.outward(section) for section in sections)
         mesh = welded(bodies, [section.points * (side, 1) for section, side in drawn_as]) if mixed else joined(bodies)
         if self.crossing is Crossing.SPLIT and abs(self.angle) > pi * (1 + WHOLE) and self.sides_overlap(sections):
             mesh = replace(mesh, told=(*mesh.told, OVERLAP))
-        return finished(mesh, mixed, self.regularize)
+        return mesh, mixed
 
     def bodies(self, dtype=np.float64):
         """The meshes of the sections that turn, each on its own."""

@@ -124,12 +124,16 @@ class TranslationalSweep:
         >>> TranslationalSweep(height=2.0, steps=3).mesh().vertices.shape
         (16, 3)
         """
+        mesh, mixed = self.whole(dtype)
+        return finished(mesh, mixed, self.regularize, lambda few: replace(self, steps=few).whole()[0])
+
+    def whole(self, dtype=np.float64):
+        """The mesh, solid or not, and whether it may be of mixed dimension."""
         sections, mixed = self.sections(), self.within_plane or isinstance(self.contour, Mixed)
         if self.within_plane:
             sections = in_plane.swept(sections, *(self.heights()[:, None] * self.way[:2]))
         bodies = [self.body(section, dtype) for section in sections if section]
-        mesh = welded(bodies, [section.points for section in sections if section]) if mixed else bodies[0]
-        return finished(mesh, mixed, self.regularize)
+        return (welded(bodies, [s.points for s in sections if s]), True) if mixed else (bodies[0], False)
 
     def body(self, section, dtype):
         """The mesh of one section."""

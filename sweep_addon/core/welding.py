@@ -79,13 +79,20 @@ def welded(meshes, points):
     return Mesh(mesh.vertices[kept], topology, chart, mesh.told)
 
 
-def finished(mesh, mixed, regularize):
-    """A mesh with its parts by dimension told, if it may be of mixed dimension, or its solid part alone."""
+def finished(mesh, mixed, regularize, fewer, turned=0):
+    """A mesh with its parts by dimension told, if it may be of mixed dimension, or its solid part alone.
+
+    The same sweep of few contours, beside those that its turn takes, is made by that function: `dimensions.told`.
+    """
     if regularize:
         from .regularizing import regularized  # few ask
 
         return regularized(mesh)
-    return replace(mesh, told=(*mesh.told, f"Parts: {mesh.dimensions()}.")) if mixed else mesh
+    if not mixed:
+        return mesh
+    from .dimensions import told  # few sweeps are
+
+    return replace(mesh, told=(*mesh.told, f"Parts: {told(mesh, fewer, turned)}."))
 
 
 def labels(grids, points):

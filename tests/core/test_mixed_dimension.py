@@ -326,6 +326,27 @@ def test_sweep_raises_the_dimension_of_each_part_by_one_unless_it_moves_along_it
         assert ring.volume() == pytest.approx(moment * 24 * sin(angle / 24), rel=1e-9)
 
 
+@settings(deadline=None, max_examples=40)
+@given(
+    st.lists(st.sampled_from(KINDS), min_size=1, max_size=4),
+    st.integers(0, 2**32),
+    st.floats(0.3, 7),
+    st.integers(30, 60),
+)
+def test_what_is_told_of_many_contours_is_what_counting_all_of_them_gives(kinds, seed, angle, contours):
+    """It is counted on a few: each further one adds the same."""
+    contour = generator(["area", *kinds], seed)[0]
+    meshes = [
+        TranslationalSweep(contour, 2.0, steps=contours).mesh(),
+        RotationalSweep(contour, min(angle, tau), samples=Count(contours)).mesh(),
+    ]
+    if set(kinds) <= {"area", "curve", "point"}:  # on both sides of the axis, which goes through the areas
+        through = RotationalSweep(contour, 1.0, samples=Count(contours), axis_point=(2.0, 0.0), crossing="meet")
+        meshes.append(through.mesh())
+    for mesh in meshes:
+        assert mesh.rings >= contours and mesh.told == (f"Parts: {mesh.dimensions()}.",)
+
+
 @pytest.mark.parametrize(
     ("sentence", "make"),
     {
