@@ -64,13 +64,23 @@ def candidates(lattice, pairs):
     levels = pyramid(lattice, used)
     i, j = which.reshape(-1, 2).T
     first, last = (np.stack((part, 0 * part, 0 * part)) for part in (i, j))
+    start = stretches(lattice.bands, BANDS)[0][used]
     for above, below in zip(levels[::-1], levels[-2::-1], strict=False):
         first, last = overlapping(*above, first, last)
         first, last = split(first, last, *(b // a for a, b in zip(above[0].shape[2:], below[0].shape[2:], strict=True)))
+        first, last = apart(first, last, start, BANDS // below[0].shape[2])
     first, last = overlapping(*levels[0], first, last)
-    start = stretches(lattice.bands, BANDS)[0][used]
     first, last = (np.stack((start[part[0]] + part[1], part[2])) for part in (first, last))
     return first, last
+
+
+def apart(first, last, start, size):
+    """Those pairs of boxes, of so many bands each, in which some are beyond the next ones of others.
+
+    A stretch also stands beside itself and its neighbours: most of its cells that are near each other fall out here.
+    """
+    kept = start[last[0]] + (last[1] + 1) * size - start[first[0]] - first[1] * size > 2
+    return first[:, kept], last[:, kept]
 
 
 def pyramid(lattice, used):
