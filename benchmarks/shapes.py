@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shapes beside the generalized cylinder, at as many vertices; and how long it takes to find where they meet."""
+"""The shapes beside the generalized cylinder, at as many vertices."""
 
 from dataclasses import replace
 from math import pi, tau
@@ -11,7 +11,6 @@ from measuring import medians, short, table, tell, verdict
 from bl_ext.user_default import sweep_addon as sw
 
 CONTOURS, POINTS, ROUNDS = 4000, 64, 15
-SAMPLES, DETECTIONS = 10_000, 9
 CIRCLE = sw.contours.Circle(0.1, POINTS)
 CYLINDER = "generalized cylinder"
 INTRODUCTION = f"""
@@ -20,11 +19,6 @@ INTRODUCTION = f"""
 From parameters that are new to arrays of places, faces and texture coordinates, no Blender in it: milliseconds for
 {CONTOURS:,} contours of {POINTS} points, and how many times those of the generalized cylinder in the same run;
 medians of {ROUNDS} rounds. The oblique planes of the PD curve sweep lean many of its contours.
-
-"""
-DETECTION = f"""
-Finding where a sweep of {SAMPLES:,} contours meets itself, each time on a trajectory that is new; medians of
-{DETECTIONS} rounds. A round tube is decided by the reach of its trajectory, others by their triangles.
 
 """
 
@@ -68,39 +62,11 @@ def shapes():
     }
 
 
-def detections():
-    """The actions that look for self-intersections, by what they look at."""
-
-    def look(shape, trajectory):
-        return lambda number: replace(shape, trajectory=trajectory(1 + 1e-5 * number)).self_intersections()
-
-    round_one = sw.GeneralizedCylinder(CIRCLE, samples=sw.sampling.Count(SAMPLES))
-    square = replace(round_one, contour=sw.contours.Rectangle(0.15, 0.15))
-    too_thick = replace(round_one, contour=sw.contours.Circle(0.5, POINTS))
-
-    def knot(size):
-        return sw.trajectories.TorusKnot(2, 3, size, 0.4)
-
-    def helix(size):
-        return sw.trajectories.Helix(size)
-
-    return {
-        "round tube on a knot, clean": look(round_one, knot),
-        "round tube on a helix, clean": look(round_one, helix),
-        "square on a knot, clean": look(square, knot),
-        "square on a helix, clean": look(square, helix),
-        "round tube on a knot, crossing: all places": look(too_thick, knot),
-    }
-
-
 def main():
     made = medians(shapes(), ROUNDS)[0]
     rows = [[name, short(taken), short(taken / made[CYLINDER])] for name, taken in made.items()]
     page = [INTRODUCTION + table(["", "ms", "to the generalized cylinder"], rows), ""]
     page += [f"- {name}: {verdict(t / made[CYLINDER], 1.5)}" for name, t in made.items() if name != CYLINDER]
-    found = medians(detections(), DETECTIONS)[0]
-    page.append(DETECTION + table(["", "ms"], [[name, short(taken)] for name, taken in found.items()]) + "\n")
-    page += [f"- {name}: {verdict(taken, 50, ' ms')}" for name, taken in found.items()]
     tell("\n".join(page))
 
 
