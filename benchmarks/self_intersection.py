@@ -3,64 +3,75 @@
 """How long it takes to find whether a sweep meets itself, where, and up to which size it does not."""
 
 from dataclasses import replace
+from itertools import count, product
 from math import tau
 
 from measuring import medians, short, table, tell, verdict
 
 from bl_ext.user_default import sweep_addon as sw
 
-CONTOURS, POINTS, ROUNDS, ASKED = 10_000, 64, 9, 50
+CONTOURS, POINTS, ROUNDS, ASKED = 10_000, 64, 5, 50
 KNOT, HELIX, PARABOLA, EIGHT = "(2,3) knot", "helix of 3 turns", "parabola", "figure-eight"
 INTRODUCTION = f"""
 ### Self-intersection
 
 Finding where a sweep of {CONTOURS:,} contours meets itself, each time on a trajectory that is new: milliseconds from
 the parameters to the verdict, and to all places; medians of {ROUNDS} rounds. A round tube, of {POINTS} points, is
-decided by the reach of its trajectory, others by their triangles; of these the largest safe size is a search of its
-own. No peer has a row: none of them finds a self-intersection of a sweep.
+decided by the reach of its trajectory, which is its largest safe size too; others by their triangles, and their size is
+a search. No peer has a row: none of them finds a self-intersection of a sweep.
 
 """
 
 
-def trajectories(size):
-    """The trajectories that are asked for, a little larger or smaller, by their names."""
-    formula = sw.trajectories.Formula
-    return {
-        KNOT: sw.trajectories.TorusKnot(2, 3, 2.0 * size, 0.8 * size),  # its reach is 0.8
-        HELIX: sw.trajectories.Helix(size, 0.5 * size, 3.0),  # 0.24921
-        PARABOLA: formula("u", f"{4 / size!r}*u^2", "0", -1.0, 1.0),  # 0.125
-        EIGHT: formula(f"{size!r}*sin(u)", f"{size!r}*sin(u)*cos(u)", "0", 0.0, tau),  # 0
-    }
+def formula(x, y, start, end):
+    return sw.trajectories.Formula(x, y, "0", start, end)
+
+
+TRAJECTORIES = {  # all a little larger or smaller
+    KNOT: lambda size: sw.trajectories.TorusKnot(2, 3, 2.0 * size, 0.8 * size),  # its reach is 0.8
+    HELIX: lambda size: sw.trajectories.Helix(size, 0.5 * size, 3.0),  # 0.24921
+    PARABOLA: lambda size: formula("u", f"{4 / size!r}*u^2", -1.0, 1.0),  # 0.125
+    EIGHT: lambda size: formula(f"{size!r}*sin(u)", f"{size!r}*sin(u)*cos(u)", 0.0, tau),  # 0
+}
+TUBES = {KNOT: (0.5, 0.7999, 0.8001, 0.9), HELIX: (0.2, 0.2492, 0.2494, 0.3), PARABOLA: (0.1, 0.13), EIGHT: (0.2,)}
+SQUARES = {KNOT: (1.0, 1.3), HELIX: (0.2, 0.45), EIGHT: (0.2,)}
+VERDICT, PLACES, SIZE = "verdict", "all places", "largest safe size"
+QUESTIONS = {VERDICT: bool, PLACES: len, SIZE: lambda places: places.largest_safe_size}
 
 
 def sweeps():
     """Contours and the names of their trajectories, by what they are."""
-    radii = {KNOT: (0.5, 0.7999, 0.8001, 0.9), HELIX: (0.2, 0.2492, 0.2494, 0.3), PARABOLA: (0.1, 0.13), EIGHT: (0.2,)}
-    squares = {KNOT: (1.0, 1.3), HELIX: (0.2, 0.45), EIGHT: (0.2,)}
-    tubes = {f"tube of {r:g} m, {path}": (sw.contours.Circle(r, POINTS), path) for path in radii for r in radii[path]}
+    tubes = {f"tube of {r:g} m, {path}": (sw.contours.Circle(r, POINTS), path) for path in TUBES for r in TUBES[path]}
     return tubes | {
         f"square of {side:g} m, {path}": (sw.contours.Rectangle(side, side), path)
-        for path in squares
-        for side in squares[path]
+        for path in SQUARES
+        for side in SQUARES[path]
     }
 
 
-def actions(questions):
-    """What looks at each sweep anew and asks it each question, by the names of both."""
+def actions():
+    """What looks at each sweep anew and asks it a question, by the names of both."""
+    fresh = count()
 
-    def look(contour, path, ask):
+    def look(contour, path, question):
         shape = sw.GeneralizedCylinder(contour, samples=sw.sampling.Count(CONTOURS))
-        return lambda number: ask(replace(shape, trajectory=trajectories(1 + 1e-9 * number)[path]).self_intersections())
+        make, ask = TRAJECTORIES[path], QUESTIONS[question]
+        return lambda _: ask(replace(shape, trajectory=make(1 + 1e-9 * next(fresh))).self_intersections())
 
-    return {(name, asked): look(*sweep, ask) for name, sweep in sweeps().items() for asked, ask in questions.items()}
+    asked = product(sweeps().items(), QUESTIONS)
+    return {(name, question): look(*sweep, question) for (name, sweep), question in asked if has(name, question)}
+
+
+def has(name, question):
+    """Whether a question is asked: the size of a tube is never searched for."""
+    return question != SIZE or name.startswith("square")
 
 
 def main():
-    questions = {"verdict": bool, "all places": len, "largest safe size": lambda places: places.largest_safe_size}
-    found = medians(actions(questions), ROUNDS)[0]
-    rows = [[name, *(short(found[name, asked]) for asked in questions)] for name in sweeps()]
-    page = [INTRODUCTION + table(["", *(f"{asked}, ms" for asked in questions)], rows), ""]
-    page += [f"- {name}: {verdict(found[name, 'all places'], ASKED, ' ms')}" for name in sweeps() if "tube" in name]
+    found = medians(actions(), ROUNDS)[0]
+    rows = [[name, *(short(found[name, q]) if has(name, q) else "" for q in QUESTIONS)] for name in sweeps()]
+    page = [INTRODUCTION + table(["", *(f"{question}, ms" for question in QUESTIONS)], rows), ""]
+    page += [f"- {name}: {verdict(found[name, PLACES], ASKED, ' ms')}" for name in sweeps() if not has(name, SIZE)]
     tell("\n".join(page))
 
 

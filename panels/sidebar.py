@@ -111,8 +111,8 @@ def draw_sweep(layout, context, mesh, say):
 def draw_self_intersections(layout, sweep, say):
     """The folds, and all places where the sweep meets itself once they have been looked for.
 
-    That is a moment after the last change, so this stands below the parameters: nothing moves under the mouse. Where the
-    largest safe size takes a search, it waits for a click.
+    That is a moment after the last change, so this stands below the parameters: nothing moves under the mouse. The
+    largest safe size waits for a click where it takes a search.
     """
     found = [sentence for sentence in sweep.told.split("\n") if sentence.startswith(PREFIX)]
     if sweep.looked_at == sweep.made:
