@@ -103,16 +103,17 @@ def needed(extra, s, u, chord):
     return np.maximum(density[1:], density[:-1]) * np.diff(s)
 
 
-def bend(trajectory, u, before=False):
+def bend(trajectory, u, before=False, first=None):
     """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared.
 
     Where p' nearly vanishes, as beside a Bezier knot whose handle lies on it, rounding turns it, and with it a part of
-    p'' across: what is no more than that is no bend.
+    p'' across: what is no more than that is no bend. First derivatives are computed unless given.
     """
-    first, second = trajectory.derivative(u, 1, before), trajectory.derivative(u, 2, before)
-    squared = dot(first, first)[:, None]
+    first = trajectory.derivative(u, 1, before) if first is None else first
+    second = trajectory.derivative(u, 2, before)
+    squared = dot(first, first)
     squared = np.where(squared > 0, squared, np.inf)
-    across = second - dot(first, second)[:, None] / squared * first
-    noise = NOISE * np.abs(first).max(initial=0.0) * norms(second) / np.sqrt(squared[:, 0])
+    across = second - (dot(first, second) / squared)[:, None] * first
+    noise = NOISE * np.abs(first).max(initial=0.0) * norms(second) / np.sqrt(squared)
     across[norms(across) <= noise] = 0.0
-    return across / squared
+    return across / squared[:, None]

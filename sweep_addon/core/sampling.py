@@ -3,14 +3,14 @@
 """Sampling: where along a trajectory the contour is placed, and what the trajectory is like there."""
 
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from .cells import bend
 from .frozen import individual
 from .later import later
-from .parameters import ShapeError, count, declared, length, parameter, require
+from .parameters import Array, ShapeError, count, declared, length, parameter, require
 from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import dot, norms, unit
 
@@ -182,7 +182,13 @@ def place(trajectory, sampling, marks=(), extra=None):
         s = spread_evenly(ends, max(sampling.contours - (not trajectory.closed), fewest(trajectory)))
     else:
         s = spread(trajectory, ends, sampling.chord, extra)
-    return stations(trajectory, s[:-1] if trajectory.closed else s)
+    return standing(trajectory, Array(s[:-1] if trajectory.closed else s))
+
+
+@lru_cache(maxsize=16)
+def standing(trajectory, s):
+    """The stations at arc lengths, made once for equal ones: most laws change without moving any."""
+    return stations(trajectory, s.values)
 
 
 def stations(trajectory, s):
@@ -191,7 +197,8 @@ def stations(trajectory, s):
     u = measure.parameter(s)
     joints = trajectory.joints()
     u = snapped(u, joints)
-    leave = trajectory.tangents(u)
+    first = trajectory.derivative(u)
+    leave = trajectory.tangents(u, first=first)
     reached = np.append(u[1:], trajectory.domain[1]) if trajectory.closed else u
     entered, arrive = measure.entered(reached), np.roll(leave, -trajectory.closed, axis=0)
     joint = np.isin(reached, joints) | (entered != reached)
@@ -200,9 +207,9 @@ def stations(trajectory, s):
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
     for lost, other in ((leave, arrive), (arrive, leave)):  # a direction is lost where rounding outweighs the speed
-        gone = ~lost.any(axis=1)
+        gone = norms(lost) == 0
         lost[gone] = other[gone]
-    bends = bend(trajectory, u)
+    bends = bend(trajectory, u, first=first)
     turn = leave - arrive
     corner = norms(turn) > SAME_DIRECTION
     back = dot(arrive, leave) < SHARPEST
@@ -210,7 +217,7 @@ def stations(trajectory, s):
         raise ShapeError(f"must not turn back on itself, got a reversal at u = {u[np.argmax(back)]:.6g}", "trajectory")
     # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature
     bends[corner] += turn[corner] / np.gradient(s)[corner, None]
-    arrive[~corner] = leave[~corner]
+    arrive = np.where(corner[:, None], arrive, leave)
     return Stations(trajectory, u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total)
 
 

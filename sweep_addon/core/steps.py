@@ -27,6 +27,11 @@ def directions(stations):
     return unit(stations.steps(stations.points))
 
 
+def forward(stations, legs):
+    """How far legs, a vector for each step, lead along the curve where that is least, at one of their ends: (k,)."""
+    return np.minimum(dot(legs, stations.leave[stations.starts]), dot(legs, stations.arrive[stations.onward]))
+
+
 def require_short(stations, fit):
     """Refuse steps so long that a chord has another direction than the curve where it leaves it.
 
@@ -35,8 +40,7 @@ def require_short(stations, fit):
     (n - 1,) or (n,) float array
         The cosine of the larger of the two angles between each chord and the curve at its ends.
     """
-    legs = directions(stations)
-    cosine = np.minimum(dot(legs, stations.leave[stations.starts]), dot(legs, stations.arrive[stations.onward]))
+    cosine = forward(stations, directions(stations))
     leg, limit = int(cosine.argmin()), np.degrees(np.arccos(STEEPEST))
     angle = float(np.degrees(np.arccos(np.clip(cosine[leg], -1, 1))))
     sentence = f"must be more if the fit is {spelled(fit)}: a chord may leave the trajectory by {limit:.0f} degrees"
@@ -47,10 +51,9 @@ def require_short(stations, fit):
 @lru_cache(maxsize=16)
 def told_backward(stations):
     """What is to be told where a step goes against the trajectory, so that the sweep is inside out along it."""
-    legs = directions(stations)
-    along = np.minimum(dot(legs, stations.leave[stations.starts]), dot(legs, stations.arrive[stations.onward]))
-    if along.min() > 0:
+    if forward(stations, stations.steps(stations.points)).min() > 0:
         return ()
+    along = forward(stations, directions(stations))
     place = f"from u = {stations.u[along.argmin()]:.4g} on a chord runs against the trajectory"
     return (f"Samples: {place}, and the sweep is inside out there: it takes more contours.",)
 

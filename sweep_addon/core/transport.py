@@ -120,8 +120,9 @@ def integral():
 def chebyshev(coefficients, x):
     """Sums of Chebyshev polynomials by Clenshaw's recurrence: (m, n) and (n,) to (n,)."""
     last = before = np.zeros_like(x)
+    twice = 2 * x
     for coefficient in coefficients[:0:-1]:
-        last, before = coefficient + 2 * x * last - before, last
+        last, before = coefficient + twice * last - before, last
     return coefficients[0] + x * last - before
 
 

@@ -44,3 +44,6 @@ class Arc(Trajectory):
     def derivative(self, u, order=1, before=False):
         phase = np.asarray(u, dtype=float) + order * pi / 2
         return self.radius * np.stack((np.cos(phase), np.sin(phase), np.zeros_like(phase)), axis=1)
+
+    def speeds(self, u):
+        return np.full(np.shape(u), self.radius)

@@ -86,6 +86,10 @@ class Trajectory:
         """Derivatives by u, (n, 3); where the curve has a corner, those before it or after it."""
         raise NotImplementedError
 
+    def speeds(self, u):
+        """How long the derivatives are at parameters u: (n,) to (n,)."""
+        return norms(self.derivative(u))
+
     def joints(self):
         """Parameters between which the curve is smooth, both ends included: (k,) float array."""
         return np.array(self.domain, dtype=float)
@@ -130,18 +134,20 @@ class Trajectory:
         """
         return arc_length(self).total
 
-    def tangents(self, u, before=False):
+    def tangents(self, u, before=False, first=None):
         """Unit tangents at parameters u: (n,) to (n, 3) float array.
 
         Where a derivative vanishes, as at a Bezier point whose handle lies on it, the next one gives the limit.
+        First derivatives are computed unless given.
         """
         scale = arc_length(self).total / (self.domain[1] - self.domain[0])
-        tangents = self.derivative(u, 1, before)
+        tangents = self.derivative(u, 1, before) if first is None else first
         for order in (2, 3):
             vanishing = norms(tangents) < 1e-9 * scale
             if not vanishing.any():
                 break
             side = (-1) ** (order - 1) if before else 1
+            tangents = tangents.copy()
             tangents[vanishing] = side * self.derivative(u[vanishing], order, before)
         return unit(tangents)
 

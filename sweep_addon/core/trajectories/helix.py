@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A helical trajectory."""
 
-from math import pi, tau
+from math import hypot, pi, tau
 
 import numpy as np
 
@@ -48,3 +48,6 @@ class Helix(Trajectory):
         phase = np.asarray(u, dtype=float) + order * pi / 2
         rise = self.pitch / tau if order == 1 else 0.0
         return np.stack((self.radius * np.cos(phase), self.radius * np.sin(phase), np.full(len(phase), rise)), axis=1)
+
+    def speeds(self, u):
+        return np.full(np.shape(u), hypot(self.radius, self.pitch / tau))

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A straight trajectory."""
 
+from math import dist
+
 import numpy as np
 
 from ..parameters import declared, parameter, require
@@ -37,3 +39,6 @@ class Line(Trajectory):
     def derivative(self, u, order=1, before=False):
         direction = np.subtract(self.end, self.start) if order == 1 else np.zeros(3)
         return np.tile(direction, (len(u), 1))
+
+    def speeds(self, u):
+        return np.full(np.shape(u), dist(self.start, self.end))
