@@ -147,29 +147,48 @@ def decimal(single, *declared):
 
 def read(group, shape, resolve=None):
     """The shape that a group or an operator describes; resolve turns an object into a value."""
-    return shape(**{p.name: value(group, p, resolve) for p in parameters(shape)})
+    held = tuple(raw(group, p, p.name) for p in parameters(shape))
+    pairs = list(zip(parameters(shape), held, strict=True))
+    if any(is_object(p, part) or p.item and part for p, part in pairs):
+        return shape(**{p.name: value(group, p, part, resolve) for p, part in pairs})
+    return described(shape, held)
 
 
-def value(group, p, resolve):
+@lru_cache(maxsize=8)
+def described(shape, held):
+    """A shape of properties alone: they are read twice for each change."""
+    return shape(**{p.name: plainly(p, part) for p, part in zip(parameters(shape), held, strict=True)})
+
+
+def value(group, p, held, resolve):
     """The value of one parameter of a shape."""
     if p.item:
-        return items(group, p, resolve)
-    held = raw(group, p, p.name)
-    if held == "OBJECT" and p.accepts:
-        chosen = getattr(group, f"{p.name}_object")
-        with at(p.name):
-            require_usable(chosen, p.accepts)
-        return completed(resolve(chosen, p), group, p)
+        return items(p, held, resolve)
+    if not is_object(p, held):
+        return plainly(p, held)
+    chosen = getattr(group, f"{p.name}_object")
+    with at(p.name):
+        require_usable(chosen, p.accepts)
+    return completed(resolve(chosen, p), group, p)
+
+
+def is_object(p, held):
+    """Whether an object stands for a value."""
+    return bool(p.accepts) and held == "OBJECT"
+
+
+def plainly(p, held):
+    """The value that a property holds itself."""
     if not p.kinds:
         return meant(p, held)
     with at(p.name):
         return understood(p, held)
 
 
-def items(group, p, resolve):
-    """The values in a list, none of an operator."""
+def items(p, groups, resolve):
+    """The values in a list."""
     made = []
-    for number, each in enumerate(getattr(group, p.name, ()), 1):
+    for number, each in enumerate(groups, 1):
         with at(f"{p.name}.{number}"):
             made.append(read(each, p.item, resolve))
     return made
@@ -177,7 +196,7 @@ def items(group, p, resolve):
 
 def raw(group, p, name):
     """What the property of a parameter holds; of a chosen kind its identifier, and what its own properties hold."""
-    held = getattr(group, name)
+    held = getattr(group, name, ()) if p.item else getattr(group, name)  # an operator has no lists
     if isinstance(p.default, tuple) and not p.is_list:
         return tuple(held)
     kind = chosen_kinds(p).get(held) if p.kinds else None

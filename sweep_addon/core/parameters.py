@@ -59,14 +59,22 @@ class ShapeError(ValueError):
         key, colon, sentence = text.partition(": ")
         return cls(sentence, key) if colon and " " not in key else cls(text)
 
+    def inside(self, key):
+        """The same refusal, of what is at a key of a larger value.
+
+        >>> print(ShapeError("must be more than 0, got -1", "radius").inside("contour"))
+        contour.radius: must be more than 0, got -1
+        """
+        return ShapeError(self.sentence, ".".join(filter(None, (key, self.key))))
+
 
 @contextmanager
 def at(key):
-    """Say where in a larger value a refusal belongs; a shorthand has no key of its own."""
+    """Say where in a larger value a refusal belongs."""
     try:
         yield
     except ShapeError as error:
-        raise ShapeError(error.sentence, ".".join(filter(None, (key, error.key)))) from error.__cause__
+        raise error.inside(key) from error.__cause__
 
 
 def require(holds, sentence, value, key=""):
@@ -169,8 +177,10 @@ def fill(value, given):
     for p in parameters(type(value)):
         value.__dict__[p.name] = p.default
         if p.name in given:
-            with at("" if p.shorthand else p.name):
+            try:
                 value.__dict__[p.name] = coerce(p, given[p.name])
+            except ShapeError as error:
+                raise error.inside("" if p.shorthand else p.name) from error.__cause__  # a shorthand has no key
 
 
 def proven(cls, **given):
