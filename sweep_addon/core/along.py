@@ -3,7 +3,7 @@
 """Along the path: how the contour is scaled, turned and moved at each station, its tapers included."""
 
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import gcd
 
 import numpy as np
@@ -57,7 +57,7 @@ class Along:
     change: object = None
     rails: object = None
 
-    @property
+    @cached_property
     def is_constant(self):
         still = not self.spin and self.frame is None and self.change is None and not self.trajectory.carries
         return still and all(getattr(self, key).is_constant for key in LAWS)
@@ -115,7 +115,7 @@ class Along:
             marks.extend((*points, *bodies))
         return tuple(mark for mark in marks if 0.0 < mark < total)
 
-    @property
+    @cached_property
     def largest(self):
         """The largest scale anywhere along the trajectory."""
         return float(np.abs(self.everywhere()[:2]).max())

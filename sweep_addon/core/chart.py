@@ -144,22 +144,27 @@ class Chart:
         """Values at each vertex that depend on its station: u and arc_length."""
         if not self.named:
             return {}
-        whole, tips, lines, poles = self.grid.whole, list(self.grid.tips), len(self.grid.lines), len(self.grid.poles)
-
-        def by_ring(values):
-            values = values.astype(dtype)
-            return np.concatenate((np.tile(values[whole], lines), values[tips], np.repeat(values[:1], poles)))
-
-        return {"u": by_ring(self.u), "arc_length": by_ring(self.s)}
+        whole, tips = self.grid.whole, list(self.grid.tips)
+        return {
+            name: self.spread(values[whole], values[tips], values[0], dtype)
+            for name, values in (("u", self.u), ("arc_length", self.s))
+        }
 
     def across(self, dtype=np.float64):
         """Values at each vertex that depend on its place on the contour: v, the length round it."""
         if not self.named:
             return {}
         start, _ = self.columns()
-        start, tips = start.astype(dtype), np.zeros(len(self.grid.tips), dtype)
-        lines = np.repeat(start[self.grid.lines], len(self.grid.whole))
-        return {"v": np.concatenate((lines, tips, start[list(self.grid.poles)]))}
+        return {"v": self.spread(start[self.grid.lines, None], 0.0, start[list(self.grid.poles)], dtype)}
+
+    def spread(self, lines, tips, poles, dtype):
+        """A value at each vertex, from one for each ring or each column of lines, one at tips and one at poles."""
+        shape = len(self.grid.lines), len(self.grid.whole)
+        parts = np.cumsum((shape[0] * shape[1], len(self.grid.tips), len(self.grid.poles)))
+        values = np.empty(parts[-1], dtype)
+        values[: parts[0]].reshape(shape)[:] = lines
+        values[parts[0] : parts[1]], values[parts[1] :] = tips, poles
+        return values
 
 
 def lengths_around(section, scale):

@@ -192,7 +192,7 @@ class GeneralizedCylinder:
             least = np.where(body.tips, 0.0, np.abs(body.scales).min(axis=1))
             rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry)
         rings, points, u, s = with_domes(domes, stations, rings, body)
-        change, scale = body.change, np.abs(body.scales[~body.tips]).mean(axis=0)
+        change, scale = body.change, np.abs(body.scales[~body.tips] if body.tips.any() else body.scales).mean(axis=0)
         if change:
             rings, shape = change.carried(rings, s / stations.total), change.shape
         grid = Grid(
@@ -342,6 +342,7 @@ def stand(samples, along, reach):
     return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
 
 
+@lru_cache(maxsize=16)
 def farthest(section, change):
     """How far a section, or any that it becomes, reaches from its reference point, in metres."""
     return float(np.linalg.norm(change.points if change else section.points, axis=-1).max())

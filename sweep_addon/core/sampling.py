@@ -152,9 +152,13 @@ class Stations:
         """The arc length of each step: (n - 1,), or (n,) for a closed trajectory."""
         return np.diff(np.append(self.s, self.total) if self.closed else self.s)
 
+    def ended(self, values):
+        """Values (n, ...) at the stations, as they are at the end of each step."""
+        return np.roll(values, -1, axis=0) if self.closed else values[1:]
+
     def steps(self, values):
         """By how much values (n, ...) at the stations change in each step."""
-        return values[self.onward] - values[self.starts]
+        return self.ended(values) - values[self.starts]
 
 
 def place(trajectory, sampling, marks=(), extra=None):

@@ -29,7 +29,7 @@ def directions(stations):
 
 def forward(stations, legs):
     """How far legs, a vector for each step, lead along the curve where that is least, at one of their ends: (k,)."""
-    return np.minimum(dot(legs, stations.leave[stations.starts]), dot(legs, stations.arrive[stations.onward]))
+    return np.minimum(dot(legs, stations.leave[stations.starts]), dot(legs, stations.ended(stations.arrive)))
 
 
 def require_short(stations, fit):

@@ -19,7 +19,7 @@ def norms(vectors):
 
 def cross(a, b):
     """The vector products, (..., 3) twice to (..., 3), in a third of the time that `numpy.cross` takes."""
-    products = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    products = np.empty(np.broadcast(a, b).shape)
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         np.subtract(a[..., j] * b[..., k], a[..., k] * b[..., j], out=products[..., i])
     return products

@@ -202,7 +202,7 @@ def running_backward(stations, rings, centroid, moved):
         return False
     x, y = np.reshape(centroid, (2, -1, 1))  # one, or one for each station
     middles = rings[0] + x * rings[1] + y * rings[2]
-    forward = stations.leave[stations.starts] + stations.arrive[stations.onward]
+    forward = stations.leave[stations.starts] + stations.ended(stations.arrive)
     return bool((dot(stations.steps(middles), forward) < 0).all())
 
 

@@ -45,5 +45,5 @@ class Arc(Trajectory):
         phase = np.asarray(u, dtype=float) + order * pi / 2
         return self.radius * np.stack((np.cos(phase), np.sin(phase), np.zeros_like(phase)), axis=1)
 
-    def speeds(self, u):
+    def speeds(self, u, before=False):
         return np.full(np.shape(u), self.radius)

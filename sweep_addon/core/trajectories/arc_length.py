@@ -73,13 +73,20 @@ class ArcLength:
         return self.lengths[panel] + self.measure(self.nodes[panel], u)
 
     def parameter(self, s):
-        """Parameters at arc lengths: (n,) to (n,), by Newton's method, and bisection where that leaves the panel."""
+        """Parameters at arc lengths: (n,) to (n,), by Newton's method, and bisection where that leaves the panel.
+
+        It begins with the cubic through the ends of each panel.
+        """
         s = np.asarray(s, dtype=float)
         panel = np.clip(np.searchsorted(self.lengths, s, side="right") - 1, 0, len(self.nodes) - 2)
         low, high = self.nodes[panel], self.nodes[panel + 1]
         start, reached = low.copy(), self.lengths[panel]
         span = self.lengths[panel + 1] - reached
-        u = low + (high - low) * (s - reached) / np.where(span, span, 1.0)
+        part = (s - reached) / np.where(span, span, 1.0)
+        mean = span / (high - low)
+        speeds = self.trajectory.speeds(low), self.trajectory.speeds(high, before=True)
+        first, last = (rising(mean / np.where(speed, speed, np.inf)) for speed in speeds)
+        u = low + (high - low) * part * (part * (3 - 2 * part) + (1 - part) * (first * (1 - part) - last * part))
         todo = np.arange(len(s))
         for step in range(MOST_STEPS):
             beyond = reached[todo] + self.measure(start[todo], u[todo]) - s[todo]
@@ -104,6 +111,11 @@ class ArcLength:
         came = np.maximum.accumulate(np.where(moved, np.arange(len(moved)), 0))
         node = np.searchsorted(self.nodes, u).clip(0, len(self.nodes) - 1)
         return np.where(self.nodes[node] == u, self.nodes[came[node]], u)
+
+
+def rising(slopes):
+    """Slopes at an end of a cubic from 0 to 1, and 1 where it might not rise everywhere, as beside a cusp."""
+    return np.where((slopes > 0) & (slopes < 3), slopes, 1.0)
 
 
 def subdivided(nodes, parts):

@@ -86,9 +86,9 @@ class Trajectory:
         """Derivatives by u, (n, 3); where the curve has a corner, those before it or after it."""
         raise NotImplementedError
 
-    def speeds(self, u):
+    def speeds(self, u, before=False):
         """How long the derivatives are at parameters u: (n,) to (n,)."""
-        return norms(self.derivative(u))
+        return norms(self.derivative(u, 1, before))
 
     def joints(self):
         """Parameters between which the curve is smooth, both ends included: (k,) float array."""
@@ -157,6 +157,8 @@ class Trajectory:
         inner = joints[1:-1]
         if self.closed:
             inner = joints[:-1]
+        if not len(inner):
+            return inner
         before = self.tangents(np.where(inner == joints[0], joints[-1], inner), before=True)
         return inner[norms(self.tangents(inner) - before) > SAME_DIRECTION]
 

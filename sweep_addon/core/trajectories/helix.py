@@ -49,5 +49,5 @@ class Helix(Trajectory):
         rise = self.pitch / tau if order == 1 else 0.0
         return np.stack((self.radius * np.cos(phase), self.radius * np.sin(phase), np.full(len(phase), rise)), axis=1)
 
-    def speeds(self, u):
+    def speeds(self, u, before=False):
         return np.full(np.shape(u), hypot(self.radius, self.pitch / tau))
