@@ -15,6 +15,7 @@ from .places import Place, Places
 
 HALVED = 2.0 ** np.array((5, 11, 16))  # of the size is left, closer and closer: a hundred-thousandth, or two
 LESS = 1 - 1e-9
+ALIKE = 1e-6  # of a distance
 FIRST = 8  # pairs of stretches that are looked at first where one that meets is enough
 FEW, SHOWING = 300, 32  # pairs of stretches that are all looked at closely, and that show whether many meet
 ENOUGH = 1500  # rings that tell the largest safe size: it takes many looks
@@ -115,8 +116,10 @@ def spot(point):
 
 
 def nearest(points):
-    """That of some points which is nearest to the middle of them."""
-    return points[norms(points - points.mean(axis=0)).argmin()]
+    """That of some points which is nearest to the middle of them; of several as near the last by x, y and z."""
+    apart = norms(points - points.mean(axis=0))
+    points = points[apart <= apart.min() * (1 + ALIKE)]  # where all is symmetric rounding would choose
+    return points[np.lexsort(points.round(9).T[::-1])[-1]]
 
 
 def cells_of(lattice, bands, columns):
