@@ -6,6 +6,8 @@ A *body* is manifold3d's own form of a closed mesh. Who makes many and wants one
 to and fro costs more than a hull does; who has meshes and wants a mesh asks `union`, `difference` and `intersection`.
 """
 
+from functools import cache
+
 import numpy as np
 
 from .facets import facets
@@ -25,6 +27,12 @@ def library():
     return manifold3d
 
 
+@cache
+def named():
+    """The number by which manifold3d knows that the faces of a body have numbers of ours."""
+    return library().Manifold.reserve_ids(1)
+
+
 def body(vertices, triangles, faces=None):
     """The body of a closed mesh of triangles.
 
@@ -35,8 +43,8 @@ def body(vertices, triangles, faces=None):
     triangles : (t, 3) int array
         Vertices of each triangle, counter-clockwise from outside.
     faces : (t,) int array, optional
-        A number for each triangle that every part of it keeps, whatever is done with the body; triangles that lie in a
-        plane may share theirs, and then what divides that face is no more kept than it must be.
+        The number of the face that each triangle is a part of. What is left of it keeps that, whatever is done with the
+        body: see `arrays`. An edge between faces stays, as far as anything on both sides of it does.
 
     Raises
     ------
@@ -44,17 +52,21 @@ def body(vertices, triangles, faces=None):
         For a mesh that is not closed, manifold and oriented.
     """
     manifold3d = library()
-    named = {} if faces is None else {"face_id": np.asarray(faces, np.uint64)}
+    told = {}
+    if faces is not None:
+        run = np.array([0, 3 * len(triangles)], np.uint64), np.array([named()], np.uint32)
+        told = {"face_id": np.asarray(faces, np.uint64), "run_index": run[0], "run_original_id": run[1]}
     vertices = np.ascontiguousarray(vertices, np.float64)
-    made = manifold3d.Manifold(manifold3d.Mesh64(vertices, np.ascontiguousarray(triangles, np.uint64), **named))
+    made = manifold3d.Manifold(manifold3d.Mesh64(vertices, np.ascontiguousarray(triangles, np.uint64), **told))
     status = made.status()
     require(status == manifold3d.Error.NoError, "A boolean takes closed, manifold, oriented meshes", status.name)
     return made
 
 
 def body_of(mesh):
-    """The body of a `Mesh`, its faces cut into triangles."""
-    return body(mesh.vertices, *facets(mesh))
+    """The body of a `Mesh`."""
+    triangles, _ = facets(mesh)
+    return body(mesh.vertices, triangles)
 
 
 def hull_body(points):
@@ -69,14 +81,18 @@ def united(bodies):
 
 
 def arrays(body):
-    """The mesh of a body: vertices (n, 3) float64, triangles (t, 3) int32."""
+    """The mesh of a body: vertices (n, 3), triangles (t, 3), and the number of the face of each, -1 for none, (t,)."""
     mesh = body.to_mesh64()
-    return np.array(mesh.vert_properties[:, :3]), mesh.tri_verts.astype(np.int32)
+    runs = np.diff(np.asarray(mesh.run_index, int)) // 3
+    ours = np.repeat(np.asarray(mesh.run_original_id) == named(), runs)
+    faces = np.where(ours, np.asarray(mesh.face_id, int), -1)
+    return np.array(mesh.vert_properties[:, :3]), mesh.tri_verts.astype(np.int32), faces
 
 
 def mesh_of(body):
     """The body as a `Mesh` of triangles."""
-    return polyhedron(*arrays(body))
+    vertices, triangles, _ = arrays(body)
+    return polyhedron(vertices, triangles)
 
 
 def union(meshes):

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Resolving: of a sweep that may meet itself, the boundary of all points visited."""
+
+import numpy as np
+
+from ..booleans import arrays, united
+from ..parameters import ShapeError, require
+from ..vectors import dot, unit
+from .assembling import United, assembled
+from .conflicts import chunks
+from .filling import Fillings
+from .pieces import Pieces
+from .plan import planned
+from .rings import Rings
+from .shells import without_specks
+
+ROUNDING = 1e-9  # of the largest contour: near a tip turns are no more than noise
+GROUP = 8  # bodies that are united between two reports of progress: more are no quicker
+
+
+def resolved(mesh, progress=None, meets=None):
+    """Of a mesh on a grid that may meet itself, the boundary of the set of all points visited.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Of a closed contour, its chart with a grid that has no poles, its ends closed.
+    progress : callable, optional
+        Is told which part is done, from 0 to 1; what it raises ends the work.
+    meets : callable, optional
+        Tells whether the sweep meets itself, and is asked where contours hardly move: on the inner side of a bevel too.
+
+    Returns
+    -------
+    Mesh
+        Closed and manifold. Faces that nothing has cut are as they were; where nothing meets, it is the same mesh.
+
+    Raises
+    ------
+    ShapeError
+        For an open surface, one whose contour turns too much from ring to ring, or where manifold3d is missing.
+    """
+    progress = progress or (lambda part: None)
+    require_closed(mesh)
+    rings = Rings(mesh)
+    require_turning_little(rings)
+    found = chunks(rings)
+    plan = planned(found, rings.closed)
+    if plan.untouched.all() or (plan.folds and meets and not meets()):
+        return mesh
+    made = of_plan(rings, plan, progress)
+    if made is None:  # something has come near after all
+        made = of_plan(rings, planned(found, rings.closed, everything=True), progress)
+    return made
+
+
+def of_plan(rings, plan, progress):
+    """The mesh of the parts of a plan; None where a cut did not come back as it was."""
+    pieces = Pieces(rings, plan, Fillings(rings))
+    body = step_by_step(pieces, progress)
+    whole = United(*arrays(body))
+    if len(body.decompose()) > 1:
+        whole = whole.only(without_specks(whole.vertices, whole.triangles))
+    return assembled(rings, plan.untouched, whole, pieces.cuts)
+
+
+def step_by_step(pieces, progress):
+    """The body of all pieces; neighbours are united first, and every few of them progress is told."""
+    done, group = [], []
+    for number, bodies in enumerate(pieces, 1):
+        group += bodies
+        if len(group) >= GROUP or number == len(pieces):
+            done.append(united(group))
+            done[-1].status()  # or it would wait until all of them are asked for
+            group = []
+            progress(number / (len(pieces) + 1))
+    return united(done)
+
+
+def require_closed(mesh):
+    """Refuse a surface that is not closed, and what is no surface."""
+    uses = np.bincount(mesh.topology.corner_edges, minlength=len(mesh.topology.edges))
+    points = np.bincount(mesh.corners, minlength=len(mesh.vertices))
+    if not (len(uses) and (uses == 2).all() and points.all()):
+        raise ShapeError("A solid needs a closed contour and closed ends, got an open surface")
+
+
+def require_turning_little(rings):
+    """Refuse contours that turn by more than a right angle from one ring to the next: faces there cross each other."""
+    along = unit(np.diff(rings.centres, axis=0))  # mitres lean, but not as their leg sees them
+    aside = rings.points - rings.centres
+    here, ahead = (part - dot(part, along)[..., None] * along for part in (aside[:, :-1], aside[:, 1:]))
+    little = dot(here, ahead).sum(axis=0) >= -ROUNDING * rings.radii.max() ** 2
+    require(little.all(), "must be more: the contour turns by more than a right angle between two of them",
+            rings.grid.rings, "samples")  # fmt: skip

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sewing: the faces of a mesh that stay, and others, as one topology without a search of all edges."""
+
+import numpy as np
+
+from ..mesh import Topology
+
+
+def sewn(before, kept, number, others):
+    """The topology of some faces as they were and, after them, of others.
+
+    Parameters
+    ----------
+    before : Topology
+    kept : (f,) int array
+        Which faces of it.
+    number : (n,) int array
+        What number each vertex of theirs has among the others'.
+    others : Topology
+        Where it has an edge of a kept face, at which both are sewn together, the edge stays as sharp as it was.
+
+    Returns
+    -------
+    Topology
+    """
+    if not len(kept):
+        return others
+    corners = corners_of(before.offsets, kept)
+    used = np.full(len(before.edges), False)
+    used[before.corner_edges[corners]] = True
+    old = number[before.edges[used]]
+    rim = np.full(int(max(old.max(initial=0), others.edges.max(initial=0))) + 1, False)
+    rim[others.edges] = True
+    shared = np.flatnonzero(rim[old].all(axis=1))
+    same = equal_pairs(others.edges, old[shared], len(rim))
+    new = same < 0
+    edge = np.where(new, len(old) + np.cumsum(new) - 1, shared[same])
+    sizes = np.concatenate((np.diff(before.offsets)[kept], np.diff(others.offsets)))
+    return Topology(
+        corners=np.concatenate((number[before.corners[corners]], others.corners)).astype(np.int32),
+        offsets=np.concatenate(([0], np.cumsum(sizes))).astype(np.int32),
+        edges=np.concatenate((old, others.edges[new])).astype(np.int32),
+        corner_edges=np.concatenate(
+            ((np.cumsum(used) - 1)[before.corner_edges[corners]], edge[others.corner_edges])
+        ).astype(np.int32),
+        sharp=np.concatenate((before.sharp[used], others.sharp[new])),
+        material=np.concatenate((before.material[kept], others.material)),
+    )
+
+
+def equal_pairs(pairs, others, count):
+    """The number of the other pair, either way round, that each is, -1 for none: (k,) int array."""
+    if not len(others):
+        return np.full(len(pairs), -1)
+    keys, wanted = (np.sort(part.astype(np.int64), axis=1) @ (count, 1) for part in (others, pairs))
+    order = np.argsort(keys)
+    found = order[np.searchsorted(keys[order], wanted).clip(0, len(keys) - 1)]
+    return np.where(keys[found] == wanted, found, -1)
+
+
+def corners_of(offsets, faces):
+    """The corners of faces, one face after the other: (c,) int array."""
+    sizes = np.diff(offsets)[faces]
+    return np.repeat(offsets[faces] - np.cumsum(sizes) + sizes, sizes) + np.arange(sizes.sum())
