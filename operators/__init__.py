@@ -14,6 +14,7 @@ from . import (
     copy_as,
     edit_as_curve,
     find_self_intersections,
+    make_solid,
     remove_item,
     sweep_selected,
 )
@@ -32,5 +33,6 @@ register, unregister = register_classes_factory(
         remove_item.OBJECT_OT_sweep_item_remove,
         find_self_intersections.OBJECT_OT_sweep_find_self_intersections,
         find_self_intersections.OBJECT_OT_sweep_select_self_intersections,
+        make_solid.OBJECT_OT_sweep_make_solid,
     )
 )

@@ -9,11 +9,14 @@ from bpy.types import Panel
 from ..operators.add_shape import idname
 from ..operators.convert import is_tube
 from ..operators.edit_as_curve import EDITABLE
+from ..operators.make_solid import OBJECT_OT_sweep_make_solid
 from ..sweep_addon.bridge import layout as declared_layout
 from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.parameters import parameters
+from ..sweep_addon.core.resolving import MEETING
 from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes import CLASSIFICATION
+from ..sweep_addon.properties.live import AWAITED
 from . import previews
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
@@ -88,12 +91,14 @@ def draw_sweep(layout, context, mesh, say):
     column.use_property_decorate = True
     if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
         say(column, "Hold Alt to change all.", "INFO")
-    declared = parameters(shape)
+    declared = [p for p in parameters(shape) if p.group != MEETING]  # they stand beside what is found
     bodies = declared_layout.draw(column, group, declared)
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
     if frames:
         frames.prop(context.window_manager, "sweep_show_frames")
     draw_self_intersections(layout, sweep, say)
+    if hasattr(group, "make_solid"):
+        draw_solid(layout, sweep, group, say)
     names = {p.name for p in declared if p.accepts}
     editable = [name for name in EDITABLE if name in names]
     for some in filter(None, (editable[:2], editable[2:])):
@@ -130,6 +135,17 @@ def draw_self_intersections(layout, sweep, say):
         layout.operator("object.sweep_select_self_intersections", icon="RESTRICT_SELECT_OFF")
     else:
         layout.operator("object.sweep_find_self_intersections")
+
+
+def draw_solid(layout, sweep, group, say):
+    """Whether it is to be a solid, and how far that is."""
+    layout.prop(group, "make_solid")
+    if sweep.solid == AWAITED:
+        part = OBJECT_OT_sweep_make_solid.part()
+        layout.progress(factor=part or 0.0, text="Esc stops it" if part is not None else "In a moment")
+    elif sweep.solid:
+        say(layout, sweep.solid, "ERROR")
+        layout.operator("object.sweep_make_solid", text="Try Again", icon="FILE_REFRESH")
 
 
 def is_like(other, mesh):

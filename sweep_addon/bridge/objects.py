@@ -181,7 +181,9 @@ def shapes(mesh, depsgraph=None):
 
 
 def renders_otherwise(mesh):
-    """Whether a render samples a mesh in its own way."""
+    """Whether a render makes a mesh in its own way: samples it otherwise, or does not wait for its solid."""
+    if mesh.sweep.solid:
+        return True
     _, group = group_of(mesh)
     samples = getattr(group, "samples", "")
     return bool(getattr(group, f"samples_{samples.lower()}_render", 0))
@@ -196,7 +198,7 @@ def forget(mesh):
     """Keep a mesh and forget what it was made from."""
     parameters_of_shape = mesh.sweep.kind.lower()  # they use the input objects, which could not be deleted for good
     mesh.sweep.kind = "NONE"
-    kept = ("made", "topology", "texture", "mark", "rings", "error", "told", "places", "looked_at", "edited")
+    kept = ("made", "topology", "texture", "mark", "rings", "error", "told", "places", "looked_at", "solid", "edited")
     for name in (parameters_of_shape, *kept):
         mesh.sweep.property_unset(name)
 

@@ -17,6 +17,7 @@ from .laws import Law
 from .morph import AS_THICK, Blend, Match, Morph
 from .parameters import angle, at, declared, parameter, require
 from .rails import Guided, Rail, Rails
+from .resolving import solid_option
 from .sampling import Count, Sampling, Stations, Tolerance, place
 from .texture import Texture
 from .trajectories import Helix, Trajectory
@@ -118,6 +119,7 @@ class GeneralizedCylinder:
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
     fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape")
+    make_solid: bool = solid_option()
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
@@ -142,6 +144,12 @@ class GeneralizedCylinder:
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((160, 3), 'float64', 0)
         """
+        if self.make_solid:
+            return self.solid().astype(dtype)
+        return self.surface(dtype)
+
+    def surface(self, dtype=np.float64):
+        """The surface that the contour leaves, also where it meets itself: a `Mesh`."""
         swept = self.swept()
         grid = swept.chart.grid
         vertices = drawn(grid, affine(swept.shape), swept.rings, dtype)
@@ -153,7 +161,7 @@ class GeneralizedCylinder:
         Returns
         -------
         Places
-            A sequence of places, empty when the sweep is clean, with ``largest_safe_size``.
+            A sequence of places, empty when the sweep is clean or made a solid, with ``largest_safe_size``.
 
         Source
         ------
@@ -171,8 +179,42 @@ class GeneralizedCylinder:
         (['local'], 0.3)
         """
         from .self_intersection.cylinders import of_cylinder
+        from .self_intersection.places import Places
 
-        return of_cylinder(self)
+        return Places(()) if self.make_solid else of_cylinder(self)
+
+    def solid(self, progress=None):
+        """The boundary of all points that the contour visits, as one valid solid: each place counts once.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+            Closed, manifold and outward, in metres; faces that nothing has cut are as they were. Where the sweep does
+            not meet itself it is the surface.
+
+        Raises
+        ------
+        ShapeError
+            For an open surface, a contour that turns too much from sample to sample, or where manifold3d is missing.
+
+        Examples
+        --------
+        A disc turned about an axis inside it visits a spindle, and what both its sides visit once:
+
+        >>> from math import pi
+        >>> from sweep_addon.core.trajectories import Arc
+        >>> spindle = GeneralizedCylinder(Circle(0.5, points=32), Arc(0.3, 2 * pi), Count(64))
+        >>> round(spindle.solid().volume(), 3), spindle.solid().euler_characteristic()
+        (1.525, 2)
+        """
+        from .resolving.of_shapes import along_a_trajectory  # asks manifold3d
+
+        return along_a_trajectory(self, progress)
 
     def swept(self):
         """All that the mesh is drawn from: a `Swept`."""

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A mesh of arrays, and what can be measured on it."""
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -124,6 +125,10 @@ class Mesh:
 
     def __repr__(self):
         return f"{type(self).__name__}({len(self.vertices)} vertices, {len(self.offsets) - 1} faces)"
+
+    def astype(self, dtype):
+        """The same mesh with vertices of another type."""
+        return replace(self, vertices=self.vertices.astype(dtype, copy=False))
 
     @property
     def corners(self):

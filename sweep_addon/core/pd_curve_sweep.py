@@ -16,6 +16,7 @@ from .generalized_cylinder import ATTRIBUTES, section_of
 from .later import later
 from .limits import Flat, Limit, Open, Plane
 from .parameters import Array, ShapeError, at, declared, parameter, require
+from .resolving import solid_option
 from .sampling import Count, Sampling, Tolerance, place
 from .texture import Texture
 from .trajectories import Bezier, Polyline, Trajectory
@@ -81,6 +82,7 @@ class PDCurveSweep:
     samples: Sampling = parameter(Tolerance(), "How many contours stand along the trajectory")
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
+    make_solid: bool = solid_option()
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
@@ -107,6 +109,12 @@ class PDCurveSweep:
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((40, 3), 'float64', 0)
         """
+        if self.make_solid:
+            return self.solid().astype(dtype)
+        return self.surface(dtype)
+
+    def surface(self, dtype=np.float64):
+        """The surface that the contour leaves, also where it meets itself: a `Mesh`."""
         section, bending, stations, told = self.laid_out()
         rings = self.rings(section, bending, stations)
         section = rings.section
@@ -140,7 +148,7 @@ class PDCurveSweep:
         Returns
         -------
         Places
-            A sequence of places, empty when the solid is clean, with ``largest_safe_size``.
+            A sequence of places, empty when the sweep is clean or made a solid, with ``largest_safe_size``.
 
         Source
         ------
@@ -156,8 +164,40 @@ class PDCurveSweep:
         (['local'], 0.75)
         """
         from .self_intersection.pd_curves import of_pd_curve
+        from .self_intersection.places import Places
 
-        return of_pd_curve(self)
+        return Places(()) if self.make_solid else of_pd_curve(self)
+
+    def solid(self, progress=None):
+        """The boundary of all points that the contour visits, as one valid solid: each place counts once.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+            Closed, manifold and outward, in metres; faces that nothing has cut are as they were. Where the sweep does
+            not meet itself it is the surface.
+
+        Raises
+        ------
+        ShapeError
+            For an open surface, a contour that turns too much from sample to sample, or where manifold3d is missing.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.directions import Arrows
+        >>> from sweep_addon.core.trajectories import Arc
+        >>> sweep = PDCurveSweep(Rectangle(0.2, 0.8), Arc(radius=0.3), Arrows([(0, 0, 0, 1)]))
+        >>> sweep.solid().volume() > sweep.surface().volume()
+        True
+        """
+        from .resolving.of_shapes import along_a_trajectory  # asks manifold3d
+
+        return along_a_trajectory(self, progress)
 
     @classmethod
     def along_curve(cls):

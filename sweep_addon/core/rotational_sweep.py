@@ -15,6 +15,7 @@ from .ends import Cap, Flat
 from .frames import Frames
 from .later import later
 from .parameters import ShapeError, angle, at, declared, parameter, proven, require
+from .resolving import solid_option
 from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
 from .self_intersection import PREFIX
 from .texture import Texture
@@ -78,6 +79,7 @@ class RotationalSweep:
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
     fit: Fit = parameter(Fit.INSCRIBED, "How the mesh stands to the true shape: inscribed, or of the true volume")
     regularize: bool = parameter(False, "Keep only the parts that are solid, closed and manifold")
+    make_solid: bool = solid_option()
 
     def check(self):
         """Refuse no angle or more than a turn without a pitch, and an axis without a direction."""
@@ -136,6 +138,12 @@ class RotationalSweep:
         >>> len(half.section().points), RotationalSweep(half, samples=Count(8)).mesh().vertices.shape
         (7, (42, 3))
         """
+        if self.make_solid:
+            return self.solid().astype(dtype)
+        return self.surface(dtype)
+
+    def surface(self, dtype=np.float64):
+        """The surface that the contour leaves, also where it meets itself: a `Mesh`."""
         mesh, mixed = self.whole(dtype)
         turned = ceil(abs(self.turn) / WIDEST_BEND)
         return finished(
@@ -165,7 +173,7 @@ class RotationalSweep:
         Returns
         -------
         Places
-            A sequence of places, empty when the sweep is clean, with ``largest_safe_size``.
+            A sequence of places, empty when the sweep is clean or made a solid, with ``largest_safe_size``.
 
         Examples
         --------
@@ -177,9 +185,40 @@ class RotationalSweep:
         >>> {place.kind for place in places} <= {"global", "ends"}, round(places.largest_safe_size, 4)
         (True, 0.8)
         """
+        from .self_intersection.places import Places
         from .self_intersection.screws import of_rotation
 
-        return of_rotation(self)
+        return Places(()) if self.make_solid else of_rotation(self)
+
+    def solid(self, progress=None):
+        """The boundary of all points that the contour visits, as one valid solid: each place counts once.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+            Closed, manifold and outward, in metres; faces that nothing has cut are as they were. Where the sweep does
+            not meet itself it is the surface.
+
+        Raises
+        ------
+        ShapeError
+            For an open surface, a contour that turns too much from sample to sample, or where manifold3d is missing.
+
+        Examples
+        --------
+        >>> thread = Outline([[(1, 0), (2, 0), (2, 0.5), (1, 0.5)]])
+        >>> screw = RotationalSweep(thread, angle=2 * tau, pitch=0.4)
+        >>> screw.solid().volume() < screw.surface().volume()
+        True
+        """
+        from .resolving.of_shapes import about_an_axis  # asks manifold3d
+
+        return about_an_axis(self, progress)
 
     def sections(self):
         """The sections that turn, x across the axis and y along it: one unless the contour is mixed or is split."""

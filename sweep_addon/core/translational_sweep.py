@@ -178,6 +178,34 @@ class TranslationalSweep:
 
         return Places(())
 
+    def solid(self, progress=None):
+        """The boundary of all points that the contour visits, as one valid solid: each place counts once.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+            Closed, manifold and outward, in metres; faces that nothing has cut are as they were. Where the sweep does
+            not meet itself it is the surface.
+
+        Raises
+        ------
+        ShapeError
+            For an open surface, a contour that turns too much from sample to sample, or where manifold3d is missing.
+
+        Examples
+        --------
+        >>> round(TranslationalSweep(height=2.0).solid().volume(), 12)
+        2.0
+        """
+        from .resolving.resolve import closed
+
+        return closed(self.mesh())
+
     def sections(self):
         """The sections of the contour as its reference point is at the origin: one, unless it is mixed."""
         return referred(self.contour, self.fit, self.reference, (self.reference_x, self.reference_y))

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finding self-intersections a moment after the last change, by one timer that ends when nothing is left to look at.
 
+It also begins what makes solids of sweeps that are to be some, and until then show their surface.
+
 What is found stays on the mesh with the digest of what it is true of. In background mode nobody waits for it and
 Blender hangs at its end while there is a timer: there is none.
 """
@@ -10,7 +12,8 @@ import bpy
 
 from ..core.later import later
 from ..core.parameters import ShapeError
-from .live import set_if_other
+from . import solving
+from .live import AWAITED, set_if_other
 
 crossings = later("bridge.crossings")
 
@@ -33,9 +36,14 @@ def find(mesh, searched=True):
 
 
 def is_due(mesh):
-    """Whether a sweep has changed since it was looked at; one in Edit Mode waits, and one of another file stays."""
+    """Whether a sweep has changed since it was looked at, or its solid is awaited.
+
+    One in Edit Mode waits, and one of another file stays.
+    """
     sweep = mesh.sweep
-    return sweep.kind != "NONE" and sweep.looked_at != sweep.made and mesh.is_editable and not mesh.is_editmode
+    if sweep.kind == "NONE" or not mesh.is_editable or mesh.is_editmode:
+        return False
+    return sweep.looked_at != sweep.made or sweep.solid == AWAITED
 
 
 def soon(*_):
@@ -53,9 +61,13 @@ def look():
         return None
     if bpy.app.is_job_running("RENDER"):
         return MOMENT  # meshes are as the render asks for
-    find(due[0], searched=False)  # nobody has asked, and the window waits
-    redraw()
-    return NEXT if len(due) > 1 else None
+    unseen = [mesh for mesh in due if mesh.sweep.looked_at != mesh.sweep.made]
+    if unseen:
+        find(unseen[0], searched=False)  # nobody has asked, and the window waits
+        redraw()
+        return NEXT if len(due) > 1 or due[0].sweep.solid == AWAITED else None
+    solving.begin()
+    return None
 
 
 def redraw():

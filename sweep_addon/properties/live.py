@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One function that makes a mesh from its parameters anew, and does nothing where nothing has changed."""
 
+import bpy
 import numpy as np
 
 from ..bridge import meshes, objects
@@ -12,6 +13,7 @@ from ..core.plain import VERSION
 joined = later("core.joining", "joined")
 digest = later("core.digest", "digest")
 
+AWAITED = "AWAITED"
 SHAPE_KEYS = "The mesh has shape keys, which a new mesh would lose: remove them, or Apply to keep the mesh as it is"
 
 
@@ -32,24 +34,49 @@ def rebuild(mesh, depsgraph=None):
         if mesh.shape_keys:
             raise ShapeError(SHAPE_KEYS)
         shapes = objects.shapes(mesh.evaluated_get(depsgraph) if depsgraph else mesh, depsgraph)
-        wanted = digest(shapes)
-        if wanted == sweep.made and not sweep.error:
+        wanted, later = digest(shapes), waits(depsgraph)
+        if wanted == sweep.made and not sweep.error and (later or not sweep.solid):
             return
-        made = joined([shape.mesh(dtype=np.float32) for shape in shapes])
+        made = joined([(surface if later else mesh_of)(shape) for shape in shapes])
     except ShapeError as error:
         set_if_other(sweep, "error", str(error))
         return
+    put(mesh, made, wanted, AWAITED if later and any(map(wants_solid, shapes)) else "")
+
+
+def put(mesh, made, wanted, solid=""):
+    """Write what was made of a mesh's parameters, whose digest is given, and whether their solid is still awaited."""
+    sweep = mesh.sweep
     known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
     sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known)
     sweep.made, sweep.rings, sweep.version = wanted, made.rings, VERSION
-    for name, value in (("error", ""), ("told", "\n".join(made.told)), ("edited", False)):
+    for name, value in (("error", ""), ("told", "\n".join(made.told)), ("edited", False), ("solid", solid)):
         set_if_other(sweep, name, value)
+
+
+def waits(depsgraph):
+    """Whether somebody sees the surface while a solid is made: there is a window, and this is no render."""
+    return not bpy.app.background and not (depsgraph and depsgraph.mode == "RENDER")
+
+
+def wants_solid(shape):
+    """Whether a shape is to be a solid; one that never meets itself cannot be asked."""
+    return getattr(shape, "make_solid", False)
+
+
+def surface(shape):
+    """The mesh of a shape, without what takes long."""
+    return shape.surface(dtype=np.float32) if wants_solid(shape) else mesh_of(shape)
+
+
+def mesh_of(shape):
+    return shape.mesh(dtype=np.float32)
 
 
 def differs(mesh):
     """Whether somebody has changed a mesh since it was made from its parameters."""
     try:
-        made = joined([shape.mesh(dtype=np.float32) for shape in objects.shapes(mesh)])
+        made = joined([(surface if mesh.sweep.solid else mesh_of)(shape) for shape in objects.shapes(mesh)])
     except ShapeError:
         return False
     return not meshes.equal(mesh, made)

@@ -61,6 +61,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
         "told": hidden(bpy.props.StringProperty, description="What was decided where the parameters left it open"),
         "places": hidden(bpy.props.StringProperty, description="Where the sweep meets itself"),
         "looked_at": hidden(bpy.props.StringProperty, description="What it was made from when that was found"),
+        "solid": hidden(bpy.props.StringProperty, description="Whether its solid is awaited, or why there is none"),
         "edited": hidden(bpy.props.BoolProperty, description="Whether the mesh was changed by hand"),
     }
 

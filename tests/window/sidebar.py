@@ -10,7 +10,7 @@ import numpy as np
 from _window import run
 
 ADD, SWEEP_SELECTED, RADIUS, POINTS = (0.25, 46), (0.7, 46), (0.55, 141), (0.55, 162)  # read off a picture
-COPY_AS_PYTHON, COPY_AS_JOB = (0.25, 569), (0.75, 569)
+COPY_AS_PYTHON, COPY_AS_JOB = (0.25, 595), (0.75, 595)
 
 
 def sweeps():

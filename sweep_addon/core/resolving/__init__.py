@@ -8,3 +8,12 @@ it is the convex hull of a few neighbouring contours, for each convex part of th
 given to a boolean as it is. What comes near nothing is not given to it at all, and joined again corner by corner
 (`assembling`).
 """
+
+from ..parameters import parameter
+
+MEETING = "Self-Intersection"
+
+
+def solid_option():
+    """Declare whether a shape's mesh is to be its solid."""
+    return parameter(False, "Where the sweep meets itself, make the boundary of all that it visits", group=MEETING)

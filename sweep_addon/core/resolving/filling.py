@@ -11,7 +11,7 @@ from ..contours.section import Section
 from ..frozen import individual
 from ..runs import following
 from ..triangulate import triangulate
-from ..vectors import norms, unit
+from ..vectors import cross, norms, unit
 from .convex_parts import convex_parts
 
 ALIKE = 1e-6  # of a ring's radius: what two rings may differ by and be filled alike
@@ -19,10 +19,10 @@ ALIKE = 1e-6  # of a ring's radius: what two rings may differ by and be filled a
 
 def flat(aside, offsets):
     """A ring about its middle, (m, 3), as a section in its own plane."""
-    normal = unit(np.cross(aside, aside[following(offsets)]).sum(axis=0))
+    normal = unit(cross(aside, aside[following(offsets)]).sum(axis=0))
     x = aside[norms(aside).argmax()]
     x = unit(x - (x @ normal) * normal)
-    return Section(aside @ np.stack((x, np.cross(normal, x)), axis=1), offsets, np.zeros(len(aside), bool))
+    return Section(aside @ np.stack((x, cross(normal, x)), axis=1), offsets, np.zeros(len(aside), bool))
 
 
 @individual

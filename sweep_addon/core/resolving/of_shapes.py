@@ -5,12 +5,14 @@
 from dataclasses import replace
 
 from ..booleans import union
-from .resolve import require_closed, resolved
+from ..self_intersection.places import Places
+from .resolve import closed, resolved
 
 
 def along_a_trajectory(shape, progress=None):
     """The solid of a shape whose rings stand along a trajectory."""
-    return resolved(shape.surface(), progress, lambda: bool(shape.self_intersections()))
+    surface = replace(shape, make_solid=False)
+    return once(resolved(surface.mesh(), progress, lambda: bool(surface.self_intersections())))
 
 
 def about_an_axis(shape, progress=None):
@@ -21,17 +23,13 @@ def about_an_axis(shape, progress=None):
     """
     if shape.pitch:
         solids = [resolved(body, progress) for body in shape.bodies()]
-        return solids[0] if len(solids) == 1 else union(solids)
+        return once(solids[0] if len(solids) == 1 else union(solids))
     sides = replace(shape, crossing="split", regularize=False).bodies() if shape.crossing.name != "REFUSE" else ()
     if len(sides) < 2:
-        return as_it_is(shape)
-    for side in sides:
-        require_closed(side)
-    return replace(union(sides), told=shape.surface().told)
+        return closed(shape.surface())
+    return union([closed(side) for side in sides])
 
 
-def as_it_is(shape):
-    """The solid of a shape that does not meet itself."""
-    mesh = shape.surface()
-    require_closed(mesh)
-    return mesh
+def once(mesh):
+    """A mesh that does not meet itself, and does not say so."""
+    return replace(mesh, told=Places(()).in_place_of(mesh.told))

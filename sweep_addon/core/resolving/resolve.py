@@ -42,8 +42,7 @@ def resolved(mesh, progress=None, meets=None):
         For an open surface, one whose contour turns too much from ring to ring, or where manifold3d is missing.
     """
     progress = progress or (lambda part: None)
-    require_closed(mesh)
-    rings = Rings(mesh)
+    rings = Rings(closed(mesh))
     require_turning_little(rings)
     found = chunks(rings)
     plan = planned(found, rings.closed)
@@ -78,12 +77,13 @@ def step_by_step(pieces, progress):
     return united(done)
 
 
-def require_closed(mesh):
-    """Refuse a surface that is not closed, and what is no surface."""
+def closed(mesh):
+    """The mesh, refused if its surface is not closed, or is none."""
     uses = np.bincount(mesh.topology.corner_edges, minlength=len(mesh.topology.edges))
     points = np.bincount(mesh.corners, minlength=len(mesh.vertices))
     if not (len(uses) and (uses == 2).all() and points.all()):
         raise ShapeError("A solid needs a closed contour and closed ends, got an open surface")
+    return mesh
 
 
 def require_turning_little(rings):

@@ -9,7 +9,7 @@ import numpy as np
 from ..frozen import individual
 from ..laying import Layout, kinds
 from ..mesh import Mesh
-from ..vectors import dot, norms, unit
+from ..vectors import cross, dot, norms, unit
 
 STILL = 1e-3  # of the step of a contour: a point of it that moves forward by less does not move forward
 
@@ -114,7 +114,7 @@ class Rings:
     def normals(self):
         """(n, 3) float array: unit normals of the rings' planes, by Newell's method; of a tip that beside it."""
         aside = self.points - self.centres
-        areas = np.cross(aside, aside[self.grid.following]).sum(axis=0)
+        areas = cross(aside, aside[self.grid.following]).sum(axis=0)
         tips = list(self.grid.tips)
         if tips:
             others = self.grid.whole

@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..components import components
-from ..vectors import dot
+from ..vectors import cross, dot
 
 SPECK = 1e-9  # of the largest volume
 
@@ -18,5 +18,5 @@ def without_specks(vertices, triangles):
     pairs = np.concatenate((triangles[:, :2], triangles[:, 1:]))
     shell = components(len(vertices), pairs)[triangles[:, 0]]
     a, b, c = (vertices - vertices.mean(axis=0))[triangles].swapaxes(0, 1)
-    volume = np.abs(np.bincount(shell, dot(np.cross(a, b), c)))
+    volume = np.abs(np.bincount(shell, dot(cross(a, b), c)))
     return volume[shell] > SPECK * volume.max()
