@@ -11,10 +11,11 @@ import bpy
 import numpy as np
 
 from ..bridge import objects
-from ..core.digest import digest
-from ..core.joining import joined
+from ..core.later import later
 from ..core.parameters import ShapeError
 from .live import AWAITED, put, set_if_other, wants_solid
+
+joined, digest = later("core.joining", "joined"), later("core.digest", "digest")
 
 STOPPED = "The solid was not made: Esc stopped it."
 FAILED = "The solid was not made: the terminal shows why."
