@@ -7,7 +7,7 @@ from bpy.types import Operator
 
 from ..sweep_addon.bridge import objects, rna
 from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from ..sweep_addon.core.parameters import ShapeError, spelled
+from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
 from ..sweep_addon.core.wording import summary
 
@@ -30,6 +30,8 @@ class OBJECT_OT_sweep_selected(Operator):
     @classmethod
     def description(cls, context, properties):
         shape = objects.SHAPE[properties.shape]
+        if "contour" not in {p.name for p in parameters(shape)}:
+            return f"{objects.title(shape)} along the active curve. {summary(shape)}"
         if objects.carrier(shape) == "trajectory":
             return cls.__doc__
         return f"{objects.title(shape)} of the active curve or text. {summary(shape)}"
@@ -45,7 +47,8 @@ class OBJECT_OT_sweep_selected(Operator):
     def execute(self, context):
         shape = objects.SHAPE[self.shape]
         carrier = objects.carrier(shape)
-        given = roles(context, self.swap) if carrier == "trajectory" else {carrier: contour(context)}
+        both = {"trajectory", "contour"} <= {p.name for p in parameters(shape)}
+        given = roles(context, self.swap) if both else {carrier: active(context)}
         try:
             mesh = objects.new_mesh(objects.suited(shape, given), objects.title(shape), **given)
         except ShapeError as error:
@@ -65,7 +68,7 @@ def active_of_two(context, chosen):
     return len(chosen) == 2 and context.view_layer.objects.active in chosen
 
 
-def contour(context):
+def active(context):
     """The active one of the selected objects, or the only one."""
     chosen, active = inputs(context), context.view_layer.objects.active
     return active if active in chosen else chosen[0]

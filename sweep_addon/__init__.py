@@ -13,6 +13,7 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 from importlib.util import find_spec
 
 from .core import contours, corners, directions, ends, frames, laws, limits, sampling, trajectories
+from .core.canal_surface import CanalSurface
 from .core.generalized_cylinder import GeneralizedCylinder
 from .core.parameters import ShapeError
 from .core.pd_curve import PDCurve
@@ -21,6 +22,7 @@ from .core.rotational_sweep import RotationalSweep
 from .core.translational_sweep import TranslationalSweep
 
 __all__ = [
+    "CanalSurface",
     "GeneralizedCylinder",
     "Mesh",
     "PDCurve",

@@ -9,6 +9,7 @@ from textwrap import dedent
 import pytest
 
 from sweep_addon.batch import job
+from sweep_addon.core.canal_surface import CanalSurface
 from sweep_addon.core.description import markdown
 from sweep_addon.core.ends import Open
 from sweep_addon.core.parameters import spelled
@@ -74,6 +75,7 @@ def test_table_of_parameters_is_the_declaration(shape):
 def test_job_behind_a_picture_makes_a_mesh_that_is_closed_unless_an_end_is_open(path):
     shape = job.read(path).shape
     mesh = shape.mesh()
-    is_open = any(isinstance(end, Open) for end in (shape.start, shape.end)) or not shape.contour.section().closed
+    flat = shape.is_plane if isinstance(shape, CanalSurface) else not shape.contour.section().closed
+    is_open = any(isinstance(end, Open) for end in (shape.start, shape.end)) or flat
     assert bool(len(mesh.boundary_edges())) == is_open
     assert not len(mesh.non_manifold_edges())

@@ -23,7 +23,7 @@ ROUNDING = 1e-13  # of the length: differences over less are noise
 
 def chord_angle(chord, radius):
     """The angle in radians of a chord whose middle is so far from the circle of a radius, at most half a turn."""
-    return 4 * np.arcsin(np.sqrt(min(chord / radius, 1.0) / 2))
+    return 4 * np.arcsin(np.sqrt(np.minimum(chord / radius, 1.0) / 2))
 
 
 def cells(trajectory, chord, extra):

@@ -35,6 +35,10 @@ class Constant:
         """(n,) float array: the value at n samples, given as (n,) float arrays u, t in 0 to 1, and s in metres."""
         return np.full(np.shape(t), self.value)
 
+    def jet(self, u, t, s):
+        """The value as a jet, from jets of u, t and s by one variable."""
+        return 0.0 * t + self.value
+
 
 @declared
 class Formula:
@@ -62,6 +66,10 @@ class Formula:
     def evaluate(self, u, t, s):
         """(n,) float array: the value at n samples; `ShapeError` where it is not finite."""
         return compile(self.text, NAMES).evaluate(u=u, t=t, s=s)
+
+    def jet(self, u, t, s):
+        """The value as a jet, from jets of u, t and s by one variable: differentiated exactly."""
+        return 0.0 * t + compile(self.text, NAMES).run({"u": u, "t": t, "s": s})
 
 
 @declared
@@ -102,6 +110,13 @@ class Points:
             found = hermite(knots, values, monotone_slopes(knots, values), np.clip(t, knots[0], knots[-1]))
         return finite(found, u=u, t=t, s=s)
 
+    def jet(self, u, t, s):
+        """The value as a jet, from jets of u, t and s by one variable."""
+        knots, values = self.points.values.T
+        if len(knots) == 1:
+            return 0.0 * t + values[0]
+        return hermite(knots, values, monotone_slopes(knots, values), np.minimum(np.maximum(t, knots[0]), knots[-1]))
+
 
 Law = Constant | Formula | Points
 
@@ -136,8 +151,9 @@ def end_slope(step, next_step, rise, next_rise):
 
 
 def hermite(knots, values, slopes, t):
-    """The cubic between each two knots that has their values and slopes."""
-    i = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(knots) - 2)
+    """The cubic between each two knots that has their values and slopes, at places (n,) or at a jet of them."""
+    places = getattr(t, "series", (t,))[0]
+    i = np.clip(np.searchsorted(knots, places, side="right") - 1, 0, len(knots) - 2)
     step = knots[i + 1] - knots[i]
     x = (t - knots[i]) / step
     blend = x * x * (3 - 2 * x)

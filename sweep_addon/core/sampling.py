@@ -161,7 +161,7 @@ class Stations:
         return self.ended(values) - values[self.starts]
 
 
-def place(trajectory, sampling, marks=(), extra=None):
+def place(trajectory, sampling, marks=(), extra=None, way=None):
     """Choose the stations of a sweep.
 
     Parameters
@@ -173,6 +173,8 @@ def place(trajectory, sampling, marks=(), extra=None):
     extra : callable, optional
         From arc lengths (k,), parameters (k,) and a tolerance to steps per metre (k,): what a twist or a change of
         scale asks for beyond the bends of the trajectory.
+    way : (2, n) float array, optional
+        Rising arc lengths, and by what measure a number of stations is evenly spaced; by default by arc length.
 
     Returns
     -------
@@ -183,7 +185,7 @@ def place(trajectory, sampling, marks=(), extra=None):
     ends = distinct(np.concatenate((ends, marks)).clip(0.0, measure.total), SHORTEST_STEP * measure.total)
     ends[-1] = measure.total
     if isinstance(sampling, Count):
-        s = spread_evenly(ends, max(sampling.contours - (not trajectory.closed), fewest(trajectory)))
+        s = spread_evenly(ends, max(sampling.contours - (not trajectory.closed), fewest(trajectory)), way)
     else:
         s = spread(trajectory, ends, sampling.chord, extra)
     return standing(trajectory, Array(s[:-1] if trajectory.closed else s))

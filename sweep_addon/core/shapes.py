@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The shapes of the program: adding one here brings it to Blender, job files and the command line."""
 
+from .canal_surface import CanalSurface
 from .generalized_cylinder import GeneralizedCylinder
 from .parameters import spelled
 from .pd_curve_sweep import PDCurveSweep
@@ -9,6 +10,7 @@ from .rotational_sweep import RotationalSweep
 from .translational_sweep import TranslationalSweep
 
 PLANAR = (TranslationalSweep, RotationalSweep, PDCurveSweep, GeneralizedCylinder)  # in the lecture's order
-CLASSIFICATION = {"Planar Generator": PLANAR}
+SOLID = (CanalSurface,)
+CLASSIFICATION = {"Planar Generator": PLANAR, "Solid Generator": SOLID}
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

@@ -23,10 +23,19 @@ def distinct(values, least):
     return values[np.concatenate(([True], np.diff(values) > least))]
 
 
-def spread_evenly(ends, steps):
-    """Arc lengths with a number of steps shared out among the pieces between the ends by their lengths."""
-    lengths = np.diff(ends)
-    return pieces(ends, shared_out(steps, lengths), lambda piece, fraction: ends[piece] + fraction * lengths[piece])
+def spread_evenly(ends, steps, way=None):
+    """Arc lengths with a number of steps shared out among the pieces between the ends by their lengths.
+
+    The lengths may be measured in another way, (2, n): at rising arc lengths, how far it is to each.
+    """
+    at_ends = ends if way is None else np.interp(ends, *way)
+    lengths = np.diff(at_ends)
+
+    def arc_lengths(piece, fraction):
+        along = at_ends[piece] + fraction * lengths[piece]
+        return along if way is None else np.interp(along, *way[::-1])
+
+    return pieces(ends, shared_out(steps, lengths), arc_lengths)
 
 
 def shared_out(steps, lengths):
@@ -56,7 +65,7 @@ def spread(trajectory, ends, chord, extra):
         away = farthest(grid, squares, s)
         if away.max() <= 1:
             break
-        asked = asked * seen_from(grid, s, np.where(away > 1, np.sqrt(away / RESERVE), 1.0))
+        asked = asked * seen_from(grid, s, np.sqrt(np.where(away > 1, away / RESERVE, 1.0)))
     return s
 
 

@@ -166,6 +166,11 @@ def folds_told(stations, aside, x, y, support):
     behind = dot(bend, aside) > 1
     passed = np.flatnonzero(behind[1:] != behind[:-1])  # the centre, from one station to the next
     values[passed] = np.maximum(values[passed], 0.0)
+    return stretches_told(stations, values, sentence)
+
+
+def stretches_told(stations, values, sentence):
+    """What is told of the stretches where values at stations, (n,), are not negative: sentences."""
     folded = np.flatnonzero(values >= 0)
     runs = np.split(folded, np.flatnonzero(np.diff(folded) > 1) + 1) if len(folded) else ()
     u = stations.u

@@ -55,7 +55,7 @@ class Local:
         """From which parameters to which the sweep folds: a list of pairs, over a closed start from the larger one."""
         if not self.curved:
             return []
-        found = intervals(lambda s: folding(*self.at(s), self.support), self.grid)
+        found = intervals(self.folding, self.grid)
         ends = self.measure.parameter(found.ravel()).reshape(-1, 2).tolist()
         if self.trajectory.closed and len(ends) > 1 and found[0, 0] == 0 and found[-1, 1] == self.grid[-1]:
             ends[0][0] = ends.pop()[0]
@@ -70,13 +70,25 @@ class Local:
         point = self.trajectory.evaluate(self.measure.parameter(np.array([middle])))[0]
         return folded(a, b, point, self.trajectory.domain)
 
+    def folding(self, s):
+        """How far the contours fold at rising arc lengths: (n,), not negative where they do."""
+        return folding(*self.at(s), self.support)
+
+    def safe_factors(self, s):
+        """By what factor each contour may be scaled before it folds: (n,)."""
+        return safe_factor(*self.at(s), self.support)
+
     def factor(self):
         """By what factor all contours may be scaled until one of them folds."""
         if self.trajectory.straight:
             return np.inf
+        return self.least_factor()
+
+    def least_factor(self):
+        """The least of these factors, at any arc length."""
 
         def factors(s):
-            return -safe_factor(*self.at(s), self.support)
+            return -self.safe_factors(s)
 
         values = factors(self.grid)
         top = np.argsort(-values, kind="stable")[:LOWEST]

@@ -53,7 +53,8 @@ class Places(Sequence):
     largest : callable
         Gives the largest safe size; it is called once, when it is asked for.
     unit : str
-        What the size is: ``"radius"``, that of the round contour in metres, or ``"scale"``, a factor of all scales.
+        What the size is: ``"radius"``, that of the round contour in metres, or ``"scale"`` or ``"radii"``, a factor of
+        all scales or radii.
     at_once : bool
         Whether the size is known already, and takes no search.
 
@@ -100,10 +101,12 @@ class Places(Sequence):
         """The largest safe size for people; empty where there is none."""
         size = self.largest_safe_size
         if not 0 < size < inf:
-            return "" if size else "No size of the contour is clear of it."
+            none = "No radius is clear of it." if self.unit == "radii" else "No size of the contour is clear of it."
+            return "" if size else none
         last = 10.0 ** (floor(log10(size)) - 3)
         safe = f"{floor(size / last * (1 + 1e-9)) * last:.4g}"  # rounded down: what is said is safe
-        shown = f"radius up to {safe} m" if self.unit == "radius" else f"contour scaled by up to {safe}"
+        shown = {"radius": f"radius up to {safe} m", "radii": f"radius multiplied by up to {safe}"}
+        shown = shown.get(self.unit, f"contour scaled by up to {safe}")
         return f"A {shown} is clear of it."
 
     @property
