@@ -46,6 +46,7 @@ __all__ = [
     "fitted",
     "from_svg",
     "from_text",
+    "offset",
 ]
 
 
@@ -53,11 +54,11 @@ def __dir__():
     return __all__  # what a console offers
 
 
-LATER = {"from_svg": ".svg", "from_text": ".fonts"}
+LATER = {"from_svg": ".svg", "from_text": ".fonts", "offset": ".offsetting"}
 
 
 def __getattr__(name):
-    # Readers of files are loaded when they are asked for: most sweeps need neither.
+    # What reads files or asks manifold3d is loaded when it is asked for: most sweeps need neither.
     if name not in LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(LATER[name], __package__), name)

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The nearest point of a mesh, for many points at once, by one descent of the tree for all of them."""
+
+import numpy as np
+
+from ..frozen import individual
+from ..vectors import norms
+from .tree import FAN
+from .triangles import closest, squared_distances
+
+CHUNK = 8192  # points whose pairs with nodes fit into a processor's cache
+RELATIVE, ABSOLUTE = 4e-6, 1e-6  # of distances and of the size: rounding in single precision, with room
+
+
+@individual
+class Nearest:
+    """Where a mesh is nearest to some points.
+
+    Parameters
+    ----------
+    places : (n, 3) float array
+        The nearest points of the mesh, in metres.
+    distances : (n,) float array
+        How far they are, in metres.
+    faces : (n,) int array
+        The triangles they lie on; -1 where nothing is within the limit: then the distance is the limit.
+    parts : (n,) int array
+        The part of the triangle, as `triangles.closest` numbers them.
+    """
+
+    places: np.ndarray
+    distances: np.ndarray
+    faces: np.ndarray
+    parts: np.ndarray
+
+
+def nearest(tree, points, hints=None, limit=np.inf):
+    """Find the nearest point of a mesh to each of some points.
+
+    Parameters
+    ----------
+    tree : Tree
+    points : (n, 3) float array
+    hints : (n, 3) float array, optional
+        A point of the mesh for each of them: the search is quicker where it is not much farther than the nearest one.
+    limit : float
+        What is farther does not count, in metres.
+
+    Returns
+    -------
+    Nearest
+
+    The search is in single precision with room for its rounding, and the triangles that may be nearest after it are
+    compared in double precision: the result is exact but for that one's rounding.
+
+    Examples
+    --------
+    >>> from .tree import Tree
+    >>> floor = Tree.of(np.array([[(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (0.0, 4.0, 0.0)]]))
+    >>> nearest(floor, np.array([(1.0, 1.0, 2.0), (-3.0, 0.0, 4.0)])).distances.tolist()
+    [2.0, 5.0]
+    """
+    count = len(points)
+    places, distances = np.empty((count, 3)), np.empty(count)
+    faces, parts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    for start in range(0, count, CHUNK):
+        here = slice(start, start + CHUNK)
+        found = searched(tree, points[here], None if hints is None else hints[here], limit)
+        places[here], distances[here], faces[here], parts[here] = found
+    return Nearest(places, distances, faces, parts)
+
+
+def searched(tree, points, hints, limit):
+    """What `nearest` finds, for so few points that all pairs fit into memory at once."""
+    near = np.ascontiguousarray((points - tree.middle).T, dtype=np.float32)
+    room = np.float32(ABSOLUTE * max(tree.size, float(np.abs(near).max(initial=0))))
+    bound = np.full(len(points), min(limit, 1e18), dtype=np.float32)
+    if hints is not None:
+        bound = np.minimum(bound, norms(points - hints).astype(np.float32))
+    bound = bound * np.float32(1 + RELATIVE) + room
+    point, face = leaves(tree, near, bound, room)
+    squares = squared_distances(near.take(point, axis=1), tree.rows.take(face, axis=1))
+    best = lowest(squares, point, len(points))
+    reach = np.minimum(np.sqrt(best) * np.float32(1 + RELATIVE) + room, bound)
+    kept = squares <= (reach * reach)[point]
+    return compared(tree, points, point[kept], face[kept], limit)
+
+
+def leaves(tree, near, bound, room):
+    """Pairs of points and triangles, among which is the nearest one of each: two (p,) arrays, points rising."""
+    count, top = near.shape[1], tree.levels[-1].shape[1]
+    point, node = np.repeat(np.arange(count), top), np.tile(np.arange(top), count)
+    for level in reversed(range(len(tree.levels))):
+        px, py, pz = near.take(point, axis=1)
+        cx, cy, cz, nx, ny, nz, radius, thickness, sx, sy, sz = tree.levels[level].take(node, axis=1)
+        sx, sy, sz = px - sx, py - sy, pz - sz
+        upper = lowest(sx * sx + sy * sy + sz * sz, point, count)
+        bound = np.minimum(bound, np.sqrt(upper) * np.float32(1 + RELATIVE) + room)
+        cx, cy, cz = px - cx, py - cy, pz - cz
+        height = np.abs(cx * nx + cy * ny + cz * nz)
+        across = np.sqrt(np.maximum(cx * cx + cy * cy + cz * cz - height * height, 0))
+        across, height = np.maximum(across - radius, 0), np.maximum(height - thickness, 0)
+        kept = np.flatnonzero(across * across + height * height <= (bound * bound)[point])
+        children = FAN if level else tree.order.shape[1]
+        point = np.repeat(point[kept], children)
+        node = (node[kept, None] * children + np.arange(children)).ravel()
+    return point, tree.order.ravel()[node]
+
+
+def lowest(values, point, count):
+    """The lowest of the values of each point (p,), points rising; infinite where there are none: (count,) array."""
+    found = np.full(count, np.inf, dtype=values.dtype)
+    if len(values):
+        first = np.flatnonzero(np.append(True, point[1:] != point[:-1]))
+        found[point[first]] = np.minimum.reduceat(values, first)
+    return found
+
+
+def compared(tree, points, point, face, limit):
+    """The nearest of the triangles that pairs name, in double precision."""
+    places, parts = closest(points[point], tree.corners[face])
+    distances = norms(points[point] - places)
+    order = np.lexsort((face, distances, point))
+    first = order[np.append(True, point[order][1:] != point[order][:-1])[: len(order)]]
+    first = first[distances[first] <= limit]
+    where = point[first]
+    count = len(points)
+    found = np.zeros((count, 3)), np.full(count, limit, dtype=float), np.full(count, -1), np.zeros(count, dtype=int)
+    for whole, part in zip(found, (places, distances, face, parts), strict=True):
+        whole[where] = part[first]
+    return found

@@ -1,0 +1,228 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The boundary of what a ball visits that moves over the surface of a solid, by the engine that suits the solid."""
+
+from enum import Enum
+
+import numpy as np
+
+from ..booleans import arrays
+from ..facets import facets
+from ..frozen import individual
+from ..parameters import ShapeError, require
+from ..polyhedron import polyhedron
+from ..vectors import cross, dot, unit
+from .around import Around
+from .convex import convex_inset, convex_offset, is_convex
+from .dual import TornError
+from .interval import enclosing
+from .level_set import level_set
+from .rounded_union import few_faces, offset_bodies, rounded
+
+FEW = 600  # flat faces: a hull for each takes two to three milliseconds
+FINEST = 512  # cells across, where nobody asks for a tolerance
+ACROSS = 64  # cells across, where nobody asks for a tolerance and the radius is large
+ARC = 0.1  # radians between neighbours on arcs, where nobody asks for a tolerance
+SIDES = 16  # meridians of the ball, where nobody asks for a tolerance
+MOST_SIDES = 64
+AT_ONCE = 4_000_000  # products of normals and vertices
+RANGE = (0.005, 0.995)  # what 99 % of the triangles are between
+
+
+class Side(Enum):
+    """On which side of the surface"""
+
+    OUTSIDE = "The solid and all within the radius of it"
+    INSIDE = "What of the solid is farther than the radius from its surface"
+    SHELL = "All within the radius of the surface, on both sides"
+
+
+class Engine(Enum):
+    """How an offset is made"""
+
+    AUTOMATIC = "Convex solids as such, those of few flat faces by rounded faces, all others by a level set"
+    CONVEX = "The hull of the faces moved out, with arcs and domes; inside, the faces moved in"
+    ROUNDED_FACES = "The union of a rounded body around each flat face"
+    LEVEL_SET = "Where the exact distance is the radius, on a lattice"
+
+
+@individual
+class Offset:
+    """An offset, how it was made, and what is known of its error.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float array
+        In metres.
+    triangles : (t, 3) int array
+        Counter-clockwise from outside.
+    engine : Engine
+    reason : str
+        Why that engine.
+    lower, upper : (t,) float arrays
+        No point of a triangle is nearer to the surface of the solid, or farther from it, in metres: proved.
+    crossing : int
+        Pairs of triangles that cross each other.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.solids import Block
+    >>> found = offset(Block(1.0, 1.0, 1.0).mesh(), 0.5)
+    >>> found.engine.name, found.reason
+    ('CONVEX', 'the solid is convex')
+    """
+
+    vertices: np.ndarray
+    triangles: np.ndarray
+    engine: Engine
+    reason: str
+    lower: np.ndarray
+    upper: np.ndarray
+    crossing: int = 0
+
+    def told(self, radius):
+        """Sentences about the offset for people."""
+        bounds = [self.lower.min(), self.upper.max()]
+        most = [np.quantile(self.lower, RANGE[0]), np.quantile(self.upper, RANGE[1])]
+        between = [" to ".join(f"{x / radius:.3g}" for x in pair) for pair in (most, bounds)]
+        name = self.engine.name.lower().replace("_", " ")
+        yield f"Offset by {name}, as {self.reason}: {between[0]} radii away, nowhere beyond {between[1]}."
+        if self.crossing:
+            yield f"{self.crossing} pairs of faces cross each other: a smaller tolerance parts them."
+
+    def mesh(self, radius):
+        return polyhedron(self.vertices, self.triangles, told=self.told(radius))
+
+
+def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMATIC):
+    """The boundary of what a ball visits that moves over the surface of a solid.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Closed, manifold and oriented; it does not cross itself.
+    radius : float
+        In metres.
+    side : Side
+    tolerance : float
+        How far the offset may be from the true one on smooth parts, in metres; 0 is by the size of the solid.
+    engine : Engine
+
+    Returns
+    -------
+    Offset
+
+    Raises
+    ------
+    ShapeError
+        For a mesh that is not closed, or crosses itself so that its inside is not clear; inside where nothing is left
+        of the solid; for too small a tolerance.
+    """
+    open_edges, odd = mesh.boundary_edges(), mesh.non_manifold_edges()
+    require(not len(open_edges), "must be closed", f"{len(open_edges)} open edges", "solid")
+    require(not len(odd), "must be manifold and look outwards", f"{len(odd)} edges that are not", "solid")
+    volume = mesh.volume()
+    require(volume > 0, "must look outwards and hold something", volume, "solid")
+    vertices, triangles = mesh.vertices, facets(mesh)[0].astype(np.int64)
+    engine, reason = chosen(engine, vertices, triangles, side)
+    made = {Engine.CONVEX: by_hull, Engine.ROUNDED_FACES: by_faces, Engine.LEVEL_SET: by_level_set}[engine]
+    found = made(vertices, triangles, radius, side, tolerance)
+    require(len(found[1]), "must leave something of the solid inside", radius, "radius")
+    return Offset(*found[:2], engine, reason, *found[2:])
+
+
+def chosen(engine, vertices, triangles, side):
+    """The engine that suits a solid, and why."""
+    if engine != Engine.AUTOMATIC:
+        return engine, "was asked for"
+    convex = is_convex(vertices, triangles)
+    if convex and side == Side.OUTSIDE:
+        return Engine.CONVEX, "the solid is convex"
+    if not few_faces(vertices, triangles, FEW):
+        return Engine.LEVEL_SET, f"the solid has more than {FEW} flat faces"
+    if convex:
+        return Engine.CONVEX, "the solid is convex"
+    return Engine.ROUNDED_FACES, f"the solid has no more than {FEW} flat faces"
+
+
+def by_hull(vertices, triangles, radius, side, tolerance):
+    """The offset of a convex solid."""
+    step = min(2 * np.arccos(max(1 - tolerance / radius, 0)) or ARC, 0.5)
+    parts = []
+    if side != Side.INSIDE:
+        made = convex_offset(vertices, triangles, radius, step)
+        parts.append((*made, least_distances(vertices, *made, radius), np.full(len(made[1]), radius)))
+    if side != Side.OUTSIDE:
+        inner, faces = convex_inset(vertices, triangles, radius)
+        exact = np.full(len(faces), radius)
+        parts.append((inner, faces[:, ::-1] if side == Side.SHELL else faces, exact, exact))
+    return together(parts)
+
+
+def by_faces(vertices, triangles, radius, side, tolerance):
+    """The offset of a solid of few faces."""
+    around = np.sqrt(2) * np.pi / np.arccos(max(1 - tolerance / radius, 0)) if tolerance else SIDES
+    swept = rounded(vertices, triangles, radius, int(np.clip(4 * np.ceil(around / 4), 8, MOST_SIDES)))
+    grown, shrunk = offset_bodies(vertices, triangles, swept.body)
+    *made, _ = arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
+    count = len(made[1])
+    return *made, np.full(count, swept.inscribed * radius), np.full(count, radius)
+
+
+def by_level_set(vertices, triangles, radius, side, tolerance):
+    """The offset of any solid."""
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    step = cells(radius, tolerance, (high - low).max())
+    parts, crossing = [], 0
+    for outward in {Side.OUTSIDE: (True,), Side.INSIDE: (False,), Side.SHELL: (True, False)}[side]:
+        field = Around(vertices, triangles, radius, outward, step)
+        room = radius if outward else 0.0
+        surface = clear(field, low - room, high + room, step)
+        if surface is not None:
+            faces = surface.triangles if outward or side == Side.SHELL else surface.triangles[:, ::-1]
+            parts.append((surface.vertices.places, faces, *field.interval(surface)))
+            crossing += len(surface.crossing)
+    return *together(parts), crossing
+
+
+def clear(field, low, high, step):
+    """The level set of a field, refusals told of what people gave."""
+    try:
+        return level_set(field, low, high, step)
+    except TornError as error:
+        raise ShapeError("must not cross itself", "solid") from error
+    except ShapeError as error:
+        raise ShapeError(error.sentence, "tolerance") from error
+
+
+def cells(radius, tolerance, size):
+    """The side of a cell: its chords keep the tolerance, and no cell holds both sides of what the ball visits."""
+    if tolerance:
+        return min(np.sqrt(2 * radius * tolerance), radius / 2)
+    return max(min((size + 2 * radius) / ACROSS, radius / 2), (size + 2 * radius) / FINEST)
+
+
+def least_distances(solid, vertices, triangles, radius):
+    """A lower bound of the distance of each triangle from a convex solid, where all corners are at the radius.
+
+    The sagitta in the smallest circle around it; of a large triangle how far its plane is from the solid.
+    """
+    corners = vertices[triangles]
+    circles = enclosing(corners)
+    least = np.sqrt(np.maximum(radius**2 - circles**2, 0))
+    large = np.flatnonzero(circles > ARC * radius)
+    normals = unit(cross(*(corners[large, i] - corners[large, 0] for i in (1, 2))))
+    parts = np.array_split(normals, len(large) * len(solid) // AT_ONCE + 1)
+    supports = [(part @ solid.T).max(axis=1) for part in parts]
+    least[large] = np.maximum(least[large], dot(corners[large, 0], normals) - np.concatenate(supports))
+    return least
+
+
+def together(parts):
+    """Several surfaces as one: vertices, triangles, and the bounds of each."""
+    if not parts:
+        return np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros(0), np.zeros(0)
+    starts = np.cumsum([0, *(len(part[0]) for part in parts)])
+    vertices, triangles, lower, upper = zip(*parts, strict=True)
+    triangles = [faces + start for faces, start in zip(triangles, starts[:-1], strict=True)]
+    return tuple(map(np.concatenate, (vertices, triangles, lower, upper)))

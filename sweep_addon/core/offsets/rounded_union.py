@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is within a radius of a surface, as a union: of the hull of each flat face and a ball around it."""
+
+import numpy as np
+
+from ..booleans import arrays, body, hull_body, library, united
+from ..components import components
+from ..frozen import individual
+from ..vectors import dot, norms, unit
+from .convex import shared_edges
+from .sphere import globe
+
+FLAT = 1e-9  # of a unit normal: faces that differ by less are one
+
+
+@individual
+class Rounded:
+    """What is within a radius of a surface.
+
+    Parameters
+    ----------
+    body : manifold3d.Manifold
+    pieces : int
+        Of how many hulls it is the union.
+    inscribed : float
+        The radius of the largest ball in the ball of facets that was used, as a part of its own.
+    """
+
+    body: object
+    pieces: int
+    inscribed: float
+
+
+def rounded(vertices, triangles, radius, sides):
+    """All that is within a radius of a surface of triangles.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float array
+        In metres.
+    triangles : (f, 3) int array
+    radius : float
+        In metres.
+    sides : int
+        Meridians of the ball, a multiple of four.
+
+    Returns
+    -------
+    Rounded
+
+    A face moves by the whole radius however coarse the ball is: its own corners moved along its normal are in its hull.
+    """
+    ball = globe(sides)
+    facets = hull_body(ball)
+    corners, faces, _ = arrays(facets)
+    planes = unit(np.cross(*(corners[faces[:, i]] - corners[faces[:, 0]] for i in (1, 2))))
+    inscribed = float(dot(planes, corners[faces[:, 0]]).min())
+    pieces = []
+    for normal, polygon in flat_faces(vertices, triangles):
+        moved = np.concatenate((radius * ball, [radius * normal, -radius * normal]))
+        pieces.append(hull_body((vertices[polygon][:, None] + moved).reshape(-1, 3)))
+    return Rounded(united(pieces), len(pieces), inscribed)
+
+
+def flat_faces(vertices, triangles):
+    """Yield the normal and the vertices of each flat face: triangles in a plane that are convex together, or one."""
+    normals, group = coplanar(vertices, triangles)
+    order = np.argsort(group, kind="stable")
+    for members in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
+        normal = normals[members[0]]
+        if len(members) == 1 or turns_left(vertices, triangles[members], normal):
+            yield normal, np.unique(triangles[members])
+        else:
+            yield from ((normal, triangle) for triangle in triangles[members])
+
+
+def few_faces(vertices, triangles, most):
+    """Whether a solid has at most so many flat faces."""
+    _, group = coplanar(vertices, triangles)
+    if len(np.unique(group)) > most:
+        return False
+    return sum(1 for _ in flat_faces(vertices, triangles)) <= most
+
+
+def coplanar(vertices, triangles):
+    """The normals of triangles, (f, 3), and the same number for those that lie in a plane and hang together, (f,)."""
+    corners = vertices[triangles]
+    normals = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    edges = shared_edges(triangles)
+    left, right = edges[:, 2:].T
+    opposite = vertices[triangles[right].sum(axis=1) - edges[:, 0] - edges[:, 1]]
+    height = np.abs(dot(opposite - vertices[edges[:, 0]], normals[left]))
+    flat = (norms(normals[left] - normals[right]) <= FLAT) & (height <= FLAT * np.ptp(vertices, axis=0).max())
+    return normals, components(len(triangles), edges[flat, 2:])
+
+
+def turns_left(vertices, triangles, normal):
+    """Whether triangles in a plane are convex together: none of their corners is right of an edge of one alone."""
+    start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
+    size = int(triangles.max()) + 1
+    outer = ~np.isin(start * size + end, end * size + start)
+    a, b = vertices[start[outer]], vertices[end[outer]]
+    across = np.cross(normal, b - a)
+    corners = vertices[np.unique(triangles)]
+    height = (corners[None] - a[:, None]) @ across[:, :, None]
+    return bool((height >= -FLAT * norms(across)[:, None, None] * np.ptp(corners, axis=0).max()).all())
+
+
+def offset_bodies(vertices, triangles, rounded):
+    """A solid with what is within a radius of its surface, and without it."""
+    manifold3d = library()
+    solid = body(vertices, triangles)
+    both = [solid, rounded]
+    return (manifold3d.Manifold.batch_boolean(both, how) for how in (manifold3d.OpType.Add, manifold3d.OpType.Subtract))

@@ -1,0 +1,253 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Offsets of solids against Steiner's formula, each engine against the others, and random shapes that must be valid."""
+
+import numpy as np
+import pytest
+from brute_force import crossing_faces
+from contour_inputs import OUTLINES, drawn
+
+from sweep_addon.core.booleans import hull
+from sweep_addon.core.contours import Circle, Star
+from sweep_addon.core.distance import Tree, nearest
+from sweep_addon.core.facets import facets
+from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.offsets.convex import is_convex
+from sweep_addon.core.offsets.crossings import crossing_pairs
+from sweep_addon.core.offsets.offset import Engine, Side, offset
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.polyhedron import polyhedron
+from sweep_addon.core.sampling import Count
+from sweep_addon.core.solids import Block, Bracket, Cylinder, DrilledBlock
+from sweep_addon.core.trajectories import Formula, TorusKnot
+from sweep_addon.core.translational_sweep import TranslationalSweep
+
+pytest.importorskip("manifold3d")
+
+
+def triangulated(mesh):
+    return mesh.vertices, facets(mesh)[0]
+
+
+def steiner(mesh, radius):
+    """The volume within a radius of a convex solid: V + A r + the edges' turns r^2 / 2 + a ball."""
+    normals = mesh.normals / np.linalg.norm(mesh.normals, axis=1, keepdims=True)
+    sides = np.full((len(mesh.edges), 2), -1)
+    face = np.repeat(np.arange(len(normals)), np.diff(mesh.offsets))
+    for corner, edge in enumerate(mesh.topology.corner_edges):
+        sides[edge, int(sides[edge, 0] >= 0)] = face[corner]
+    one, other = normals[sides].swapaxes(0, 1)
+    turns = np.arctan2(np.linalg.norm(np.cross(one, other), axis=1), np.einsum("ij,ij->i", one, other))
+    lengths = np.linalg.norm(np.diff(mesh.vertices[mesh.edges], axis=1)[:, 0], axis=1)
+    return mesh.volume() + mesh.area() * radius + lengths @ turns * radius**2 / 2 + 4 / 3 * np.pi * radius**3
+
+
+def ellipsoid(count):
+    """Random points of an ellipsoid and what they hold."""
+    points = np.random.default_rng(count).normal(size=(count, 3))
+    return hull(points / np.linalg.norm(points, axis=1, keepdims=True) * (1.0, 0.7, 0.5))
+
+
+CONVEX = {
+    "block": Block(1.0, 0.8, 0.6).mesh(),
+    "cylinder": Cylinder().mesh(),
+    "few": hull(np.random.default_rng(0).normal(size=(26, 3))),
+    "many": ellipsoid(1000),
+}
+HOLLOW = {"bracket": Bracket().mesh(), "drilled block": DrilledBlock().mesh()}
+
+
+def size(mesh):
+    return np.ptp(mesh.vertices, axis=0).max()
+
+
+def assert_valid(found, euler=None):
+    mesh = polyhedron(found.vertices, found.triangles)
+    assert not len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
+    assert mesh.volume() > 0 and not found.crossing
+    assert len(np.unique(found.vertices, axis=0)) == len(found.vertices)
+    assert euler is None or mesh.euler_characteristic() == euler
+    return mesh
+
+
+@pytest.mark.parametrize("name", CONVEX)
+def test_the_volume_around_a_convex_solid_is_that_of_steiner_to_second_order(name):
+    solid = CONVEX[name]
+    radius = 0.3 * size(solid)
+    expected, errors = steiner(solid, radius), []
+    for angle in (0.2, 0.1, 0.05):
+        found = offset(solid, radius, tolerance=radius * (1 - np.cos(angle / 2)))
+        assert found.engine == Engine.CONVEX
+        errors.append(1 - assert_valid(found, euler=2).volume() / expected)
+    assert 0 < errors[2] < 0.1 * 0.05**2 and errors[0] < 0.1 * 0.2**2
+    assert name == "many" or errors[0] / errors[2] > 8  # the faces of many are finer than the first two steps
+
+
+def test_all_vertices_around_a_convex_solid_are_at_the_radius_and_no_face_is_beyond_its_bounds():
+    solid = CONVEX["many"]
+    found = offset(solid, 0.2)
+    distances = nearest(Tree.of(solid.vertices[facets(solid)[0]]), found.vertices).distances
+    np.testing.assert_allclose(distances, 0.2, atol=1e-12)
+    assert_between(solid, found)
+
+
+def assert_between(solid, found, per_face=2):
+    """Places on the faces of an offset are as far from the solid as it says, by a search of all triangles."""
+    random = np.random.default_rng(0)
+    which = np.tile(random.permutation(len(found.triangles))[:1500], per_face)
+    weights = random.dirichlet((0.7, 0.7, 0.7), len(which))
+    places = np.einsum("ni,nij->nj", weights, found.vertices[found.triangles[which]])
+    distances = nearest(Tree.of(solid.vertices[facets(solid)[0]]), places).distances
+    rounding = 1e-9 * size(solid)
+    assert (distances >= found.lower[which] - rounding).all()
+    assert (distances <= found.upper[which] + rounding).all()
+
+
+def test_a_block_shrinks_to_a_block():
+    found = offset(Block(1.0, 0.8, 0.6).mesh(), 0.1, Side.INSIDE)
+    assert len(found.triangles) == 12 and (found.lower == found.upper).all()
+    assert assert_valid(found, euler=2).volume() == pytest.approx(0.8 * 0.6 * 0.4, rel=1e-12)
+    shell = offset(Block(1.0, 0.8, 0.6).mesh(), 0.1, Side.SHELL)
+    outer = offset(Block(1.0, 0.8, 0.6).mesh(), 0.1)
+    whole = assert_valid(outer).volume() - 0.8 * 0.6 * 0.4
+    assert assert_valid(shell, euler=4).volume() == pytest.approx(whole, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", CONVEX)
+def test_a_level_set_around_a_convex_solid_has_steiners_volume_to_second_order(name):
+    solid = CONVEX[name]
+    radius = 0.2 * size(solid)
+    expected, errors = steiner(solid, radius), []
+    for step in (0.1, 0.05, 0.025):
+        found = offset(solid, radius, tolerance=(step * size(solid)) ** 2 / (2 * radius), engine=Engine.LEVEL_SET)
+        errors.append(1 - assert_valid(found, euler=2).volume() / expected)
+        assert_between(solid, found)
+    assert 0 < errors[2] < 1.5e-3 and errors[0] / errors[2] > 10
+
+
+@pytest.mark.parametrize("name", HOLLOW)
+@pytest.mark.parametrize("side", Side)
+def test_rounded_faces_and_level_sets_agree(name, side):
+    """Two ways to the same set, one from inside, one with chords on both sides: as near as their tolerances."""
+    solid = HOLLOW[name]
+    radius = 0.05 * size(solid)
+    exact = offset(solid, radius, side, tolerance=radius / 20)
+    field = offset(solid, radius, side, tolerance=radius / 20, engine=Engine.LEVEL_SET)
+    assert exact.engine == Engine.ROUNDED_FACES and field.engine == Engine.LEVEL_SET
+    meshes = [assert_valid(found) for found in (exact, field)]
+    assert meshes[0].euler_characteristic() == meshes[1].euler_characteristic()
+    assert meshes[0].volume() == pytest.approx(meshes[1].volume(), rel=1e-2)
+    for found in (exact, field):
+        assert_between(solid, found)
+
+
+def test_a_ball_larger_than_a_hole_closes_it():
+    solid = HOLLOW["drilled block"]
+    for engine in (Engine.ROUNDED_FACES, Engine.LEVEL_SET):
+        assert_valid(offset(solid, 0.5 * size(solid), engine=engine), euler=2)
+        assert_valid(offset(solid, 0.05 * size(solid), engine=engine), euler=solid.euler_characteristic())
+
+
+def test_a_tube_grows_by_the_radius():
+    """A knot of radius 0.3 m becomes one of 0.5 m while that is less than its reach: Weyl's formula for both."""
+
+    def tube(radius):
+        return GeneralizedCylinder(Circle(radius, points=32), TorusKnot(2, 3, major=2.0, minor=0.8), Count(300)).mesh()
+
+    solid = tube(0.3)
+    assert not is_convex(*triangulated(solid))
+    found = offset(solid, 0.2)
+    assert found.engine == Engine.LEVEL_SET
+    assert assert_valid(found, euler=0).volume() == pytest.approx(tube(0.5).volume(), rel=4e-3)
+    inner = offset(solid, 0.1, Side.INSIDE, tolerance=0.002)
+    assert assert_valid(inner, euler=0).volume() == pytest.approx(tube(0.2).volume(), rel=1e-2)
+
+
+def boxed(vertices, triangles):
+    """The cells of a lattice, as large as the largest triangle, that the corners of each one's box are in: (t, 8)."""
+    corners = vertices[triangles]
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    places = np.stack([np.where(np.array(pick), high, low) for pick in np.ndindex(2, 2, 2)], axis=1)
+    cells = np.floor(places / (high - low).max()).astype(int)
+    return np.unique(cells.reshape(-1, 3), axis=0, return_inverse=True)[1].reshape(-1, 8)
+
+
+@pytest.mark.parametrize("radius", [0.2, 1.5])
+def test_no_faces_cross_where_creases_run_into_each_other(radius):
+    """A knot of a star: valleys between its arms, and beyond its reach where strands meet. All near pairs are asked."""
+    solid = GeneralizedCylinder(Star(5, 0.5, 0.3), TorusKnot(2, 3, major=2.0, minor=0.8), Count(200)).mesh()
+    found = offset(solid, radius)
+    assert_valid(found)
+    assert not len(crossing_pairs(found.vertices, found.triangles, boxed(found.vertices, found.triangles)))
+
+
+def test_crossing_pairs_are_those_that_comparing_all_finds():
+    thick = GeneralizedCylinder(Circle(1.1, points=10), TorusKnot(2, 3, major=2.0, minor=0.8), Count(60)).mesh()
+    vertices, triangles = triangulated(thick)
+    mesh = polyhedron(vertices, triangles)
+    pairs = crossing_pairs(vertices, triangles, boxed(vertices, triangles))
+    alien = [not np.isin(triangles[one], triangles[other]).any() for one, other in pairs]
+    assert np.unique(pairs[alien]).tolist() == crossing_faces(mesh).tolist() and len(pairs)
+
+
+def fourier_tube(random):
+    """A closed tube along a random curve, round or a star, thin enough not to meet itself in most cases."""
+    parts = [
+        " + ".join(f"{a:.3f}*cos({k}*u) + {b:.3f}*sin({k}*u)" for k, (a, b) in enumerate(pairs, 1))
+        for pairs in random.normal(size=(3, 3, 2)) / np.arange(1, 4)[:, None]
+    ]
+    curve = Formula(*parts, start=0.0, end=2 * np.pi)
+    contour = random.choice([Circle(1.0, points=12), Star(5, 1.0, 0.6)])
+    shape = GeneralizedCylinder(contour, curve, Count(int(random.integers(60, 160))))
+    places = shape.self_intersections()
+    factor = 0.9 * min(places.largest_safe_size or 0.3, 0.3)
+    return GeneralizedCylinder(contour, curve, shape.samples, scale_x=factor, scale_y=factor).mesh()
+
+
+def random_solid(random):
+    """A tube that does not cross itself, or a plate of a real outline."""
+    if random.random() < 0.5:
+        tube = fourier_tube(random)
+        vertices, triangles = triangulated(tube)
+        crosses = len(crossing_pairs(vertices, triangles, boxed(vertices, triangles)))
+        return random_solid(random) if crosses else tube
+    outline = drawn(OUTLINES[random.integers(len(OUTLINES))])
+    height = random.uniform(0.1, 1.0) * outline.section().size
+    return TranslationalSweep(outline, height=height).mesh()
+
+
+@pytest.mark.parametrize("count", [8, pytest.param(1000, marks=pytest.mark.large)])
+def test_random_offsets_are_valid(count):
+    random = np.random.default_rng(20)
+    for _ in range(count):
+        solid = random_solid(random)
+        radius, side = size(solid) * 10 ** random.uniform(-2, -0.3), random.choice(list(Side))
+        try:
+            found = offset(solid, radius, side, engine=random.choice([Engine.AUTOMATIC, Engine.LEVEL_SET]))
+        except ShapeError as refusal:
+            assert side == Side.INSIDE and "must leave something" in str(refusal)
+            continue
+        assert_valid(found)
+
+
+def test_refusals():
+    tube = GeneralizedCylinder(start="open").mesh()
+    with pytest.raises(ShapeError, match="solid: must be closed, got 16 open edges|solid: must be closed"):
+        offset(tube, 0.1)
+    block = Block(1.0, 1.0, 1.0).mesh()
+    with pytest.raises(ShapeError, match="radius: must leave something of the solid inside, got 0.6"):
+        offset(block, 0.6, Side.INSIDE)
+    flipped = polyhedron(block.vertices, triangulated(block)[1][:, ::-1])
+    with pytest.raises(ShapeError, match="must look outwards"):
+        offset(flipped, 0.1)
+
+
+def test_a_solid_that_crosses_itself_is_refused():
+    thick = GeneralizedCylinder(Circle(1.1, points=32), TorusKnot(2, 3, major=2.0, minor=0.8), Count(60)).mesh()
+    with pytest.raises(ShapeError, match="solid: must not cross itself"):
+        offset(thick, 0.3, engine=Engine.LEVEL_SET)
+
+
+def test_the_engine_and_its_bounds_are_told():
+    (told,) = offset(CONVEX["block"], 0.1).mesh(0.1).told
+    assert "convex" in told
