@@ -56,12 +56,12 @@ def straight(length, outer, inner):
 
 
 @where_installed
-def knot(points, radius):
-    """The volume of a circle's pipe along a closed curve through points (n, 3), and whether the solid is valid."""
+def knot(points, radius, closed=True):
+    """The volume of a circle's pipe along a smooth curve through points (n, 3), and whether the solid is valid."""
     places = HArray1_gp_Pnt(1, len(points))
     for index, point in enumerate(points):
         places.SetValue(index + 1, gp_Pnt(*map(float, point)))
-    through = GeomAPI_Interpolate(places, True, 1e-9)
+    through = GeomAPI_Interpolate(places, closed, 1e-9)
     through.Perform()
     start, tangent = gp_Pnt(), gp_Vec()
     through.Curve().D1(through.Curve().FirstParameter(), start, tangent)
