@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sweep what is selected: one curve along another, a circle along the only one, or a curve or text as a contour."""
+"""Sweep what is selected: a curve or a mesh along another curve, a circle along the only one, or a contour alone."""
 
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import objects, rna
+from ..sweep_addon.core.general_sweep import GeneralSweep
 from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
@@ -13,7 +14,7 @@ from ..sweep_addon.core.wording import summary
 
 
 class OBJECT_OT_sweep_selected(Operator):
-    """Sweep the active curve or text along the other selected curve, or a circle along the only one"""
+    """Sweep the active curve, text or mesh along the other selected curve, or a circle along the only one"""
 
     bl_idname = "object.sweep_selected"
     bl_label = "Sweep Selected"
@@ -39,16 +40,20 @@ class OBJECT_OT_sweep_selected(Operator):
     @classmethod
     def poll(cls, context):
         chosen = inputs(context) if context.mode == "OBJECT" else []
-        if len(chosen) == 1 or active_of_two(context, chosen) and any(ob.type == "CURVE" for ob in chosen):
+        if len(chosen) == 1 and not meshes(chosen):
             return True
-        cls.poll_message_set("Select a curve to sweep along, or two: the contour active, the trajectory with it")
+        if active_of_two(context, chosen) and any(ob.type == "CURVE" for ob in chosen):
+            return True
+        cls.poll_message_set("Select a curve to sweep along, or two: what moves active, the trajectory with it")
         return False
 
     def execute(self, context):
         shape = objects.SHAPE[self.shape]
+        if meshes(inputs(context)):
+            shape = GeneralSweep  # what moves a mesh
         carrier = objects.carrier(shape)
-        both = {"trajectory", "contour"} <= {p.name for p in parameters(shape)}
-        given = roles(context, self.swap) if both else {carrier: active(context)}
+        moved = {"contour", "generator"}.intersection(p.name for p in parameters(shape) if p.accepts)
+        given = roles(context, self.swap, *moved) if carrier == "trajectory" and moved else {carrier: active(context)}
         try:
             mesh = objects.new_mesh(objects.suited(shape, given), objects.title(shape), **given)
         except ShapeError as error:
@@ -59,8 +64,12 @@ class OBJECT_OT_sweep_selected(Operator):
 
 
 def inputs(context):
-    """The selected curves and texts."""
-    return [ob for ob in context.selected_objects if ob.type in {"CURVE", "FONT"}]
+    """The selected curves, texts and meshes."""
+    return [ob for ob in context.selected_objects if ob.type in {"CURVE", "FONT", "MESH"}]
+
+
+def meshes(chosen):
+    return [ob for ob in chosen if ob.type == "MESH"]
 
 
 def active_of_two(context, chosen):
@@ -74,12 +83,12 @@ def active(context):
     return active if active in chosen else chosen[0]
 
 
-def roles(context, swap):
-    """Which selected object is the trajectory, and which, if any, the contour."""
+def roles(context, swap, moves):
+    """Which selected object is the trajectory, and which, if any, is what moves along it, a parameter of that name."""
     chosen = sorted(inputs(context), key=lambda ob: ob == context.view_layer.objects.active)
     if len(chosen) == 1:
         return {"trajectory": chosen[0]}
-    trajectory, contour = chosen
-    if trajectory.type == "FONT" or swap and contour.type != "FONT":  # a text has no length to move along
-        trajectory, contour = contour, trajectory
-    return {"trajectory": trajectory, "contour": contour}
+    trajectory, moving = chosen
+    if trajectory.type != "CURVE" or swap and moving.type == "CURVE":  # a text or a mesh has no length to move along
+        trajectory, moving = moving, trajectory
+    return {"trajectory": trajectory, moves: moving}

@@ -97,7 +97,7 @@ def draw_sweep(layout, context, mesh, say):
     if frames:
         frames.prop(context.window_manager, "sweep_show_frames")
     draw_self_intersections(layout, sweep, say)
-    if hasattr(group, "make_solid"):
+    if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
     names = {p.name for p in declared if p.accepts}
     editable = [name for name in EDITABLE if name in names]
@@ -138,8 +138,9 @@ def draw_self_intersections(layout, sweep, say):
 
 
 def draw_solid(layout, sweep, group, say):
-    """Whether it is to be a solid, and how far that is."""
-    layout.prop(group, "make_solid")
+    """Whether it is to be a solid, and how far what takes long is."""
+    if hasattr(group, "make_solid"):
+        layout.prop(group, "make_solid")
     if sweep.solid == AWAITED:
         part = OBJECT_OT_sweep_make_solid.part()
         layout.progress(factor=part or 0.0, text="Esc stops it" if part is not None else "In a moment")

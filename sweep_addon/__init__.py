@@ -12,8 +12,9 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 
 from importlib.util import find_spec
 
-from .core import contours, corners, directions, ends, frames, laws, limits, sampling, trajectories
+from .core import contours, corners, directions, ends, frames, laws, limits, sampling, solids, trajectories
 from .core.canal_surface import CanalSurface
+from .core.general_sweep import GeneralSweep
 from .core.generalized_cylinder import GeneralizedCylinder
 from .core.parameters import ShapeError
 from .core.pd_curve import PDCurve
@@ -23,6 +24,7 @@ from .core.translational_sweep import TranslationalSweep
 
 __all__ = [
     "CanalSurface",
+    "GeneralSweep",
     "GeneralizedCylinder",
     "Mesh",
     "PDCurve",
@@ -42,6 +44,7 @@ __all__ = [
     "presets",
     "reach",
     "sampling",
+    "solids",
     "trajectories",
 ]
 if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have

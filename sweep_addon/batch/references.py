@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from ..core import contours, trajectories
+from ..core import contours, solids, trajectories
 from ..core.corners import Corner, Mitre
 from ..core.description import table_schema
 from ..core.parameters import (
@@ -30,7 +30,7 @@ class File:
     """A drawing (.svg), a measured path (.gpx, .csv), or an object of a Blender file (.blend)"""
 
     file: str = parameter("", "Path of an .svg, .gpx, .csv or .blend file, relative to the job")
-    object: str = parameter("", "Name of the curve or text object in a .blend file")
+    object: str = parameter("", "Name of the curve, text or mesh object in a .blend file")
     scale: float = parameter(1.0, "Factor of its size, as 0.001 for a drawing in millimetres", above=0.0)
     corner: Corner = parameter(Mitre(), "What becomes of the corners of a trajectory of straight legs")
 
@@ -69,7 +69,7 @@ def resolve(declared, table, folder):
         reference = reference_of(p, table.get(p.name))
         if reference:
             with at(p.name):
-                value, path = read(reference, contours.Outline in p.kinds, Path(folder))
+                value, path = read(reference, p, Path(folder))
             table = {**table, p.name: value}
             files.append(path)
     return table, tuple(files)
@@ -98,8 +98,9 @@ def reference_of(p, value):
         return kind and from_table({"reference": kind}, {"kind": "reference", **value}, parameters)
 
 
-def read(reference, is_contour, folder):
-    """The value that a reference stands for, and the file it was read from."""
+def read(reference, p, folder):
+    """The value that a reference stands for as a parameter, and the file it was read from."""
+    is_contour = contours.Outline in p.kinds
     if isinstance(reference, Text):
         require(is_contour, "stands for a contour only", reference.text, "text")
         require(reference.font, "must be a .ttf or .otf file", reference.font, "font")
@@ -107,6 +108,8 @@ def read(reference, is_contour, folder):
         with keyed("text"):
             return contours.from_text(reference.text, path, size=reference.size), path
     path = existing(folder / reference.file, "file")
+    if "MESH" in p.accepts and path.suffix.lower() == ".blend":
+        return generator(reference, path, p.accepts), path
     found = (outline if is_contour else trajectory)(reference, path)
     if isinstance(found, trajectories.Polyline):
         return replace(found, corner=reference.corner), path
@@ -125,6 +128,13 @@ def outline(reference, path):
     with opened(reference) as files:
         found = files.outline(path, reference.object)
     return scaled(found, reference.scale)
+
+
+def generator(reference, path, types):
+    """The solid, the surface or the outline in a .blend file."""
+    with opened(reference) as files:
+        found = files.generator(path, reference.object, types)
+    return found.scaled(reference.scale) if isinstance(found, solids.Triangles) else scaled(found, reference.scale)
 
 
 def trajectory(reference, path):

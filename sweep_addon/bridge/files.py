@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects of other Blender files as outlines and trajectories; of the file, nothing stays behind."""
+"""Objects of other Blender files as outlines, trajectories and solids; of the file, nothing stays behind."""
 
 import bpy
 
 from ..core.parameters import require
-from . import curves
+from . import curves, models
 
 
 def outline(path, name):
@@ -16,6 +16,11 @@ def outline(path, name):
 def trajectory(path, name):
     """The trajectory along the first spline of the curve object of that name in a .blend file."""
     return from_file(path, name, ("CURVE",), lambda ob: curves.trajectories(ob)[0])
+
+
+def generator(path, name, types):
+    """The triangles of the mesh object of that name in a .blend file, or the outline of a curve or text."""
+    return from_file(path, name, types, lambda ob: (models.triangles if ob.type == "MESH" else curves.outline)(ob))
 
 
 def from_file(path, name, types, read):

@@ -13,7 +13,7 @@ from ..core.shapes import SHAPES
 from ..core.wording import titled
 from . import meshes, rna
 
-beside, curves = later("bridge.beside"), later("bridge.curves")
+beside, curves, models = later("bridge.beside"), later("bridge.curves"), later("bridge.models")
 
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 
@@ -121,7 +121,7 @@ def is_sweep(ob):
 def carrier(shape):
     """The name of the parameter in whose object's space the mesh of a shape's class is: the path, if it has one."""
     names = [p.name for p in parameters(shape)]
-    return "trajectory" if "trajectory" in names else "contour"
+    return next(name for name in ("trajectory", "contour", "solid") if name in names)
 
 
 def suited(shape, given):
@@ -163,6 +163,9 @@ def shapes(mesh, depsgraph=None):
 
     def resolve(ob, p, number=0):
         with at(p.name):
+            if ob.type == "MESH":
+                models.require_apart(mesh, ob)
+                return models.triangles(ob, depsgraph, p.name != carrier(shape))
             if "FONT" in p.accepts:
                 read = curves.contour if Mixed in p.kinds else curves.outline
                 return read(ob, depsgraph, p.name != carrier(shape))

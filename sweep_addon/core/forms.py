@@ -235,5 +235,16 @@ def source(value, indent):
 def public_name(cls):
     """Where people find a class: that of a module in ``core/contours`` in ``sw.contours``, a shape in ``sw``."""
     home = cls.__module__.rpartition(".core.")[2].partition(".")[0]
-    spaces = ("contours", "trajectories", "directions", "frames", "laws", "ends", "limits", "sampling", "corners")
+    spaces = (
+        "contours",
+        "trajectories",
+        "directions",
+        "frames",
+        "laws",
+        "ends",
+        "limits",
+        "sampling",
+        "corners",
+        "solids",
+    )
     return f"sw.{home}.{cls.__name__}" if home in spaces else f"sw.{cls.__name__}"

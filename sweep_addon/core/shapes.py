@@ -3,6 +3,7 @@
 """The shapes of the program: adding one here brings it to Blender, job files and the command line."""
 
 from .canal_surface import CanalSurface
+from .general_sweep import GeneralSweep
 from .generalized_cylinder import GeneralizedCylinder
 from .parameters import spelled
 from .pd_curve_sweep import PDCurveSweep
@@ -11,6 +12,6 @@ from .translational_sweep import TranslationalSweep
 
 PLANAR = (TranslationalSweep, RotationalSweep, PDCurveSweep, GeneralizedCylinder)  # in the lecture's order
 SOLID = (CanalSurface,)
-CLASSIFICATION = {"Planar Generator": PLANAR, "Solid Generator": SOLID}
+CLASSIFICATION = {"Planar Generator": PLANAR, "Solid Generator": SOLID, "Any Generator": (GeneralSweep,)}
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

@@ -41,7 +41,7 @@ class Preset:
 
 def title(name):
     """The name of a preset for people."""
-    return name.replace("_", " ").title()
+    return name.replace("_", " ").title().replace("Csg", "CSG")
 
 
 def found():

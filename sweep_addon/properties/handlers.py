@@ -10,7 +10,7 @@ from ..bridge.objects import inputs, renders_otherwise
 from . import finding
 from .live import differs, rebuild, set_if_other
 
-INPUTS = {"CURVE", "FONT", "EMPTY"}
+INPUTS = {"CURVE", "FONT", "EMPTY", "MESH"}
 
 
 @persistent
@@ -65,7 +65,7 @@ def touched(updates):
 
 
 def changed_inputs(updates):
-    """The original curves, texts and empties among the updated data, and the empties whose children they are."""
+    """The original objects that may be inputs among the updated data, and the empties whose children they are."""
     found = {
         update.id.original for update in updates if isinstance(update.id, bpy.types.Object) and update.id.type in INPUTS
     }

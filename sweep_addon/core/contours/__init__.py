@@ -19,6 +19,7 @@ from .fit import Fit, all_fitted, fitted
 from .mixed import Mixed
 from .outline import Outline
 from .rectangle import Rectangle
+from .region import Region
 from .regular_polygon import RegularPolygon
 from .screw_thread import ScrewThread
 from .section import Section
@@ -37,6 +38,7 @@ __all__ = [
     "Mixed",
     "Outline",
     "Rectangle",
+    "Region",
     "RegularPolygon",
     "ScrewThread",
     "Section",

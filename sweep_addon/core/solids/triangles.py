@@ -27,9 +27,8 @@ class Triangles:
     )
 
     def check(self):
-        """Refuse less than one triangle, and numbers of vertices that are not there."""
+        """Refuse numbers of vertices that are not there."""
         faces = self.faces.values
-        require(len(faces), "must have a triangle", len(faces), "faces")
         wrong = (faces % 1 != 0) | (faces < 0) | (faces >= len(self.vertices))
         if wrong.any():
             require(False, f"must be whole numbers below {len(self.vertices)}", float(faces[wrong][0]), "faces")
@@ -40,6 +39,10 @@ class Triangles:
         from ..facets import facets
 
         return cls(mesh.vertices, facets(mesh)[0])
+
+    def scaled(self, factor):
+        """The triangles made larger or smaller about the origin."""
+        return Triangles(self.vertices.values * factor, self.faces)
 
     def mesh(self):
         """The triangles as a `Mesh`."""

@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sweep of a planar figure: a grid of its points by the places where it stands."""
+
+from functools import cached_property
+
+import numpy as np
+
+from .. import caps
+from ..chart import Chart, lengths_around
+from ..contours import Fit
+from ..drawn import affine, drawn
+from ..generalized_cylinder import section_of
+from ..grid import Grid
+from ..mesh import Mesh, require_few
+from ..trajectories.arc_length import arc_length
+from ..vectors import norms, unit
+
+MOST = 257  # places in which it is looked at which way a contour that is deformed runs
+ROUNDING = 1e-9  # of the longest way in a step
+
+
+class Planar:
+    """A contour in general motion.
+
+    Parameters
+    ----------
+    shape : GeneralSweep
+    """
+
+    def __init__(self, shape):
+        self.shape, self.motion, self.section = shape, shape.motion, section_of(shape.generator, Fit.INSCRIBED)
+
+    @cached_property
+    def stood(self):
+        """The poses in which it stands, and whether it comes back to the first."""
+        points = raised(self.section.points)
+        placed = self.motion.stations(points, self.shape.samples)
+        require_few(len(placed.s) * len(points), "samples")
+        back = self.motion.comes_back(points)
+        if self.motion.trajectory.closed and not back:  # it ends elsewhere, or turned
+            return self.motion.at(np.append(placed.s, placed.total)), False
+        return self.motion.poses(placed), back
+
+    def mesh(self, dtype=np.float64):
+        poses, back = self.stood
+        section, across = self.section, (1, 1)
+        if section.closed and self.runs_backward():
+            section, across = section.mirrored, (-1, 1)  # the same points, the other way round
+        grid = Grid(
+            rings=len(poses.s),
+            tips=(),
+            closed=back,
+            creases=(),
+            offsets=tuple(section.offsets.tolist()),
+            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
+            caps=caps.at_ends((section, section), (self.shape.start, self.shape.end), (back, back)),
+            gaps=tuple(section.gaps.tolist()),
+        )
+        around, flat = lengths_around(section, np.ones(2)), (section.points, section.points)
+        total = arc_length(self.motion.trajectory).total
+        chart = Chart(grid, poses.u, poses.s, total, around, flat, self.shape.texture, self.shape.attributes)
+        if self.motion.deforms:
+            points = self.motion.posed(raised(section.points * across), poses)
+            vertices = points.swapaxes(0, 1).reshape(-1, 3).astype(dtype)
+        else:
+            rings = np.stack((poses.origin, *poses.matrix[..., :2].transpose(2, 0, 1)))
+            vertices = drawn(grid, affine(section.points * across), rings, dtype)
+        return Mesh(vertices, grid.topology(), chart, poses.told)
+
+    def runs_backward(self):
+        """Whether its area passes more space with its back ahead than with its front."""
+        poses, _ = self.stood
+        some = poses.thinned(MOST) if self.motion.deforms else poses
+        if self.motion.deforms:
+            points = self.motion.posed(raised(self.section.points), some)
+            areas, middles = np.cross(points, points[:, self.section.following]).sum(axis=1), points.mean(axis=1)
+        else:
+            areas = np.cross(some.matrix[..., 0], some.matrix[..., 1])
+            middles = some.origin + some.matrix[..., :2] @ self.section.centroid
+        return bool(np.einsum("ni,ni->", areas[1:] + areas[:-1], np.diff(middles, axis=0)) < 0)
+
+    def folds(self):
+        """The steps in which a part of the contour moves back against the rest, or all of it against its way before.
+
+        Returns
+        -------
+        list of (int, int)
+            The first and the last place of each stretch of such steps.
+        """
+        poses, back = self.stood
+        if back:  # the last step leads to the first pose
+            poses = poses.only(np.append(np.arange(len(poses.s)), 0))
+        points = self.motion.posed(raised(self.section.points), poses)
+        normals = unit(np.cross(poses.matrix[..., 0], poses.matrix[..., 1]))
+        ways = np.diff(points, axis=0)
+        rates = np.einsum("nmi,ni->nm", ways, normals[1:] + normals[:-1])
+        rates *= -1 if self.runs_backward() else 1
+        wrong = (rates < -ROUNDING * norms(ways).max(initial=0.0)).any(axis=1)
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], wrong, [False]))))
+        return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+    def self_intersections(self):
+        from ..self_intersection.detect import meetings
+        from ..self_intersection.folds import between
+        from ..self_intersection.lattice import Lattice
+        from ..self_intersection.places import Place, Places
+
+        poses, _ = self.stood
+        mesh, domain = self.mesh(), self.motion.trajectory.domain
+        places, folded, ends = [], [], np.append(poses.u, domain[1])
+        for first, last in self.folds():
+            a, b = (float(ends[which]) for which in (first, last))
+            folded.append((a, b))
+            said = f"from {between(a, b, domain)} a part of the contour moves back."
+            places.append(Place("local", ((a, b),), tuple(poses.origin[(first + last) // 2].tolist()), said))
+        normals = unit(np.cross(poses.matrix[..., 0], poses.matrix[..., 1]))
+        normals *= -1 if self.runs_backward() else 1
+        leaning = np.full(len(poses.s), True)
+        lattice = Lattice.of_vertices(
+            mesh.chart.grid, mesh.vertices, poses.origin, normals, poses.u, domain[1], leaning
+        )
+        return Places([*places, *meetings(lattice, folded)])
+
+    def outlines(self, poses):
+        """The loops of the contour in some poses: a tuple of (n, k, 3) float arrays."""
+        return tuple(
+            np.split(self.motion.posed(raised(self.section.points), poses), self.section.offsets[1:-1], axis=1)
+        )
+
+
+def raised(points):
+    """Points of the plane (m, 2) as points of the generator's space (m, 3)."""
+    return np.column_stack((points, np.zeros(len(points))))

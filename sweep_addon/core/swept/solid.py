@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sweep of a solid: the boundary of the set of all points that it visits, from its signed distance."""
+
+from functools import cached_property
+
+import numpy as np
+
+from ..offsets.level_set import level_set
+from ..parameters import require
+from ..polyhedron import polyhedron
+from ..runs import backward
+from ..trajectories.arc_length import arc_length
+from ..vectors import norms
+from .field import Field
+from .visited import Visited
+
+FEWEST, MOST = 33, 16_385  # poses
+CLOSE = 0.25  # of a cell: how far the solid moves at most from pose to pose
+ASKED = 20  # points for each square of a cell across, as a rule
+MARGIN = 1.05  # where there are more, the rest is said to be a part of what was done
+FOLLOWED = 500  # vertices of the solid by which its extent is told
+
+
+class Solid:
+    """A closed mesh in general motion.
+
+    Parameters
+    ----------
+    shape : GeneralSweep
+    generator : Mesh
+        Its surface, closed.
+    """
+
+    def __init__(self, shape, generator):
+        self.shape, self.motion = shape, shape.motion
+        wrong = len(generator.non_manifold_edges())
+        require(not wrong, "must be closed and manifold, or a surface", f"{wrong} non-manifold edges", "generator")
+        self.generator = generator if generator.volume() > 0 else turned_over(generator)
+
+    is_solid = True
+
+    def mesh(self, dtype=np.float64, progress=None):
+        poses, back, step = self.close
+        corners = self.motion.posed(self.some, poses)
+        visited = Visited(Field.of(self.generator, step / 2), self.motion, poses, back)
+        visited.told = progress and Told(progress, ASKED * self.shape.cells**2)
+        found = level_set(visited, corners.min(axis=(0, 1)), corners.max(axis=(0, 1)), step)
+        require(found is not None, "must be so many that a part of the sweep holds one", self.shape.cells, "cells")
+        places = found.vertices.places.astype(dtype)
+        return polyhedron(places, found.triangles, told=(*poses.told, said(found, visited, step)))
+
+    @cached_property
+    def some(self):
+        """Vertices of the solid by which its extent and its way are told: (k, 3) float array."""
+        vertices = self.generator.vertices
+        extreme = [vertices[:, axis].argsort()[[0, -1]] for axis in range(3)]
+        spread = np.linspace(0, len(vertices) - 1, FOLLOWED).round().astype(int)
+        return vertices[np.unique(np.concatenate((*extreme, spread)))]
+
+    @cached_property
+    def close(self):
+        """Poses from which to the next the solid moves a part of a cell, whether it comes back, and the cell's side."""
+        total, back = arc_length(self.motion.trajectory).total, self.motion.comes_back(self.some)
+        poses, count = self.evenly(FEWEST, total, back), FEWEST
+        for _ in range(2):  # of few poses the way is told roughly
+            places = self.motion.posed(self.some, poses)
+            step = float(np.ptp(places, axis=(0, 1)).max()) / self.shape.cells
+            longest = norms(np.diff(places, axis=0)).max()
+            count = int(np.clip(longest * (len(places) - 1) / (CLOSE * step), FEWEST, MOST)) + 1
+            poses = self.evenly(count, total, back)
+        return poses, back, step
+
+    def evenly(self, count, total, back):
+        """Poses evenly spaced by arc length; one that comes back stands there once."""
+        return self.motion.at(np.linspace(0.0, total, count, endpoint=not back))
+
+    def self_intersections(self):
+        from ..self_intersection.places import Places
+
+        return Places(())
+
+    def outlines(self, poses):
+        """A solid has none."""
+        return ()
+
+
+def turned_over(mesh):
+    """A mesh whose faces look the other way."""
+    return polyhedron(mesh.vertices, mesh.corners[backward(mesh.offsets)], mesh.offsets)
+
+
+def said(found, visited, step):
+    """How near a surface is to the boundary of what is visited, for people."""
+    off = visited.off(found.vertices).max()
+    crossing = f"; {len(found.crossing)} pairs of faces cross" if len(found.crossing) else ""
+    return f"Solid: cells of {step:.3g} m; vertices were found off by up to {off:.2g} m{crossing}."
+
+
+class Told:
+    """Tells which part is done of work whose points are known roughly: never more than all, nor less than before.
+
+    Parameters
+    ----------
+    progress : callable
+        Is told the part, from 0 to 1.
+    expected : float
+        How many points will be asked for.
+    """
+
+    def __init__(self, progress, expected):
+        self.progress, self.expected, self.done = progress, expected, 0
+
+    def __call__(self, points):
+        self.done += points
+        self.progress(self.done / max(self.expected, self.done * MARGIN))

@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a solid visits: how far points are from the nearest of all its poses.
+
+`f(p) = min over t of d(p, A(t))`, where d is the signed distance. Outside it is the distance from the set of all points
+visited; where it is negative p has been visited. All poses are taken as a tree of stretches: a stretch whose middle
+pose is farther than another by more than the solid moves within it holds no nearest one.
+"""
+
+from functools import cached_property
+
+import numpy as np
+
+from ..vectors import dot, norms, unit
+
+FAN = 4  # parts of a stretch
+TOP = 8  # stretches at most that a search begins with
+CHUNK = 20_000  # points at a time
+WIDTHS = (1.0, 0.25, 0.0625)  # of the parabolas in time that are put through three distances, in poses
+SOME, PARTS = 33, 5  # poses, and points along each side of the lattice, where a deformation is looked at
+DIFFERENCE = 1e-4  # of a step of the lattice, or of its size: over which slopes are taken
+OUTWARD, OUT = 4, 0.5  # how often points inside are moved out, and how far beyond the surface, in steps of the lattice
+EXACTLY = (4.0, 1.0, 0.25)  # of those through exact distances, where the lattice has told the time roughly
+FLAT = 1e-9  # of a step of the lattice: a parabola that bends less has no least place
+
+
+class Visited:
+    """The field of all points that a moving solid visits; hints are the times of nearest poses.
+
+    Parameters
+    ----------
+    field : Field
+        Of the solid.
+    motion : Motion
+    poses : Poses
+        So close to each other that what is between them is told by the two beside it.
+    closed : bool
+        Whether the last pose leads to the first.
+    """
+
+    def __init__(self, field, motion, poses, closed):
+        self.field, self.motion, self.poses, self.closed = field, motion, poses, closed
+        self.told = None  # is told of the points that are asked for
+        self.inverses = np.linalg.inv(poses.matrix)
+        self.scales = 1 / np.linalg.norm(self.inverses, 2, axis=(1, 2))  # the least that a length becomes
+        if motion.deforms:
+            self.scales *= least_stretch(motion, field.box(3), poses.thinned(SOME))
+
+    @cached_property
+    def levels(self):
+        """Of each level, single poses first: its stretches' middle poses, and how far the solid moves from these."""
+        corners = self.motion.posed(self.field.box(PARTS if self.motion.deforms else 2), self.poses)  # (n, k, 3)
+        count = len(corners)
+        levels = [(np.arange(count), np.zeros(count))]
+        size = 1
+        while -(-count // size) > TOP:
+            size *= FAN
+            first = np.arange(0, count, size)
+            middle = np.minimum(first + size // 2, count - 1)
+            others = np.minimum(first[:, None] + np.arange(size), count - 1)
+            levels.append((middle, norms(corners[others] - corners[middle][:, None]).max(axis=(1, 2))))
+        return levels
+
+    ridges = True  # convex edges are edges too
+
+    def evaluate(self, points, hints=None):
+        """The values no farther from 0 than they are, and the times of the nearest poses: (n,), (n, 1)."""
+        values, times = self.searched(points, hints)
+        return np.sign(values) * np.maximum(np.abs(values) - self.field.error, 0.0), times[:, None]
+
+    def inside(self, points, hints=None):
+        """Whether points have been visited."""
+        values, times = self.searched(points, hints)
+        near = np.abs(values) <= self.field.error
+        values[near] = self.exact(points[near], times[near])[0]
+        return values < 0
+
+    def normals(self, points, hints=None):
+        """The values, the normals of the surface where it is nearest, and the times of the nearest poses.
+
+        All are told from outside, where f is the distance; points inside are moved out for it. Inside, a depth is that
+        in one pose alone, and the normal that of one of its faces, which a moving edge leaves inside.
+        """
+        _, times = self.searched(points, hints)
+        values, normals = self.exact(points, times)
+        places, inside = points.copy(), np.flatnonzero(values <= 0)
+        for _ in range(OUTWARD):
+            out = OUT * self.field.step - values[inside]
+            places[inside] += out[:, None] * normals[inside]
+            _, times[inside] = self.searched(places[inside], times[inside, None])
+            values[inside], normals[inside] = self.exact(places[inside], times[inside])
+            inside = inside[values[inside] <= 0]
+            if not len(inside):
+                break
+        times = self.nearer(places, times)
+        values, normals = self.exact(places, times)
+        foot = places - values[:, None] * normals
+        return dot(points - foot, normals), normals, times[:, None]
+
+    def off(self, vertices):
+        """How far some `Vertices` are found to be from the surface: outside from the nearest pose, inside as deep."""
+        times = self.nearer(vertices.places, vertices.hints[:, 0])
+        return np.maximum(np.abs(vertices.values), -self.distances(vertices.places, times))
+
+    def searched(self, points, hints=None):
+        """The values to within the field's error, and the times of the nearest poses: two (n,)."""
+        values, times = np.empty(len(points)), np.empty(len(points))
+        for start in range(0, len(points), CHUNK):
+            some = slice(start, start + CHUNK)
+            known = None if hints is None else hints[some, 0]
+            if self.told:
+                self.told(len(points[some]))
+            values[some], times[some] = self.settled(points[some], self.nearest(points[some], known))
+        return values, times
+
+    def nearest(self, points, known):
+        """The number of the nearest pose, (n,); of so few points that all pairs fit into memory."""
+        count = len(points)
+        pose = np.zeros(count, dtype=int) if known is None else np.round(known).astype(int) % len(self.scales)
+        best = self.rough(points, pose)
+        stretches = len(self.levels[-1][0])
+        point, node = np.repeat(np.arange(count), stretches), np.tile(np.arange(stretches), count)
+        for level in reversed(range(len(self.levels))):
+            middle, reach = self.levels[level]
+            at = middle[node]
+            far = self.rough(points[point], at)
+            first = np.flatnonzero(np.diff(point, prepend=-1))  # points rise
+            least = np.repeat(np.minimum.reduceat(far, first), np.diff(np.append(first, len(point))))
+            found = np.flatnonzero((far == least) & (far < best[point]))
+            best[point[found]], pose[point[found]] = far[found], at[found]
+            if level:
+                kept = np.flatnonzero(far - reach[node] < best[point])
+                children = node[kept, None] * FAN + np.arange(FAN)
+                there = children < len(self.levels[level - 1][0])
+                point, node = np.broadcast_to(point[kept, None], children.shape)[there], children[there]
+                if not len(point):
+                    break
+        return pose
+
+    def settled(self, points, pose):
+        """The least value near a pose and its time, by parabolas through it and the times beside it."""
+        time = pose.astype(float)
+        least = self.rough(points, time)
+        for width in WIDTHS:
+            before, after = (self.rough(points, self.held(time + side)) for side in (-width, width))
+            moved = self.held(time + width * least_of(before, least, after, FLAT * self.field.step))
+            there = self.rough(points, moved)
+            time, least = np.where(there < least, moved, time), np.minimum(there, least)
+        return least, time
+
+    def nearer(self, points, times):
+        """Times near some at which the exact distance is least, by parabolas."""
+        here = self.distances(points, times)
+        for width in EXACTLY:
+            before, after = (self.distances(points, self.held(times + side)) for side in (-width, width))
+            moved = self.held(times + width * least_of(before, here, after, FLAT * self.field.step))
+            there = self.distances(points, moved)
+            times, here = np.where(there < here, moved, times), np.minimum(there, here)
+        return times
+
+    def held(self, time):
+        """Times within the motion."""
+        return time % len(self.scales) if self.closed else np.clip(time, 0, len(self.scales) - 1)
+
+    def posed(self, points, time):
+        """Points (n, 3) as a solid at times (n,) has them, between the poses beside; how they are turned; and scales.
+
+        What a deformation takes nowhere near is farther by as much.
+        """
+        first = np.minimum(time.astype(int), len(self.scales) - 1)  # also of a number of a pose itself
+        second = (first + 1) % len(self.scales) if self.closed else np.minimum(first + 1, len(self.scales) - 1)
+        part = time - first
+
+        def between(values):
+            if time.dtype.kind == "i":
+                return values[first]
+            share = part.reshape(-1, *(1,) * (values.ndim - 1))
+            return values[first] + share * (values[second] - values[first])
+
+        inverse, scale = between(self.inverses), np.minimum(self.scales[first], self.scales[second])
+        places, missed = np.einsum("nij,nj->ni", inverse, points - between(self.poses.origin)), 0.0
+        if self.motion.deforms:
+            known = {name: between(getattr(self.poses, name)) for name in "tus"}
+            places, missed = self.motion.undeformed(places, **known)
+        return places, inverse, scale, missed
+
+    def rough(self, points, time):
+        """The distance from the solid at times, by interpolation."""
+        places, _, scale, missed = self.posed(points, time)
+        return scale * self.field.rough(places) + missed
+
+    def distances(self, points, times):
+        """The exact distance from the solid at times: (n,)."""
+        places, _, scale, missed = self.posed(points, times)
+        return scale * self.field.exact(places)[0] + missed
+
+    def exact(self, points, times):
+        """The distance from the solid at times, and its normals there: (n,), (n, 3)."""
+        places, inverse, scale, missed = self.posed(points, times)
+        values, normals = self.field.exact(places)
+        if self.motion.deforms:
+            return scale * values + missed, self.sloped(points, times)
+        return scale * values, unit(np.einsum("nij,ni->nj", inverse, normals))
+
+    def sloped(self, points, times):
+        """The normals of a deformed solid, by differences of its distance at times that are kept."""
+        step, slopes = DIFFERENCE * self.field.step, np.empty((len(points), 3))
+        for axis in range(3):
+            ahead, behind = (self.distances(points + side * step * np.eye(3)[axis], times) for side in (1, -1))
+            slopes[:, axis] = ahead - behind
+        return unit(slopes)
+
+
+def least_stretch(motion, points, poses):
+    """The least that a deformation makes of a length, at points (k, 3) in some poses."""
+    step = DIFFERENCE * float(np.ptp(points, axis=0).max())
+    here = motion.deformed(points, poses)
+    slopes = np.stack([motion.deformed(points + step * axis, poses) - here for axis in np.eye(3)], axis=3) / step
+    return min(float(np.linalg.svd(slopes, compute_uv=False)[..., -1].min()), 1.0)
+
+
+def least_of(before, here, after, flat):
+    """Where a parabola through values at -1, 0 and 1 is least, at most 1 away; it goes down where it hardly bends."""
+    bend = before - 2 * here + after
+    bends = bend > flat
+    return np.clip(np.where(bends, (before - after) / np.where(bends, 2 * bend, 1.0), np.sign(before - after)), -1, 1)
