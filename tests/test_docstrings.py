@@ -45,6 +45,8 @@ def members():
     """Every public method and property of those; what is a plain value has no docstring of its own."""
     yield "GeneralizedCylinder.mesh", sw.GeneralizedCylinder.mesh
     yield from ((f"PDCurveSweep.{name}", getattr(sw.PDCurveSweep, name)) for name in ("mesh", "bend"))
+    solids = (sw.GeneralizedCylinder, sw.PDCurveSweep, sw.RotationalSweep, sw.TranslationalSweep)
+    yield from ((f"{shape.__name__}.solid", shape.solid) for shape in solids)
     yield "PDCurve.evaluate", sw.PDCurve.evaluate
     yield from ((f"Mesh.{name}", getattr(sw.Mesh, name)) for name in MEASURED + HELD)
     for kind in kinds(sw.trajectories):

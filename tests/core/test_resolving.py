@@ -93,6 +93,15 @@ def test_spindle_has_its_closed_form_in_the_limit():
     assert fine.volume() + (fine.volume() - coarse.volume()) / 3 == pytest.approx(truth, rel=1e-3)  # second order
 
 
+@pytest.mark.parametrize("contour", [Circle(0.5, points=32), Rectangle(0.9, 0.9), Star()])
+def test_where_many_hulls_meet_in_a_point_no_face_is_a_sliver(contour):
+    """On the axis of a spindle all of them do; single precision is what Blender keeps."""
+    solid = GeneralizedCylinder(contour, Arc(0.3, 2 * pi), Count(64)).solid()
+    single = solid.vertices.astype(np.float32)
+    assert len(np.unique(single, axis=0)) == len(single)
+    assert np.linalg.norm(solid.astype(np.float32).astype(float).normals, axis=1).min() > 0
+
+
 def test_knot_that_is_too_thick_stays_one_ring():
     solid = GeneralizedCylinder(Circle(0.9, points=32), TorusKnot(2, 3, 2.0, 0.8), Count(400)).solid()
     assert_valid(solid)

@@ -14,6 +14,7 @@ from .pieces import Pieces
 from .plan import planned
 from .rings import Rings
 from .shells import without_specks
+from .tidying import tidied
 
 ROUNDING = 1e-9  # of the largest contour: near a tip turns are no more than noise
 GROUP = 8  # bodies that are united between two reports of progress: more are no quicker
@@ -58,7 +59,9 @@ def of_plan(rings, plan, progress):
     """The mesh of the parts of a plan; None where a cut did not come back as it was."""
     pieces = Pieces(rings, plan, Fillings(rings))
     body = step_by_step(pieces, progress)
-    whole = United(*arrays(body))
+    vertices, triangles, faces = arrays(body)
+    triangles, kept = tidied(vertices, triangles)
+    whole = United(vertices, triangles, faces).only(kept)
     if len(body.decompose()) > 1:
         whole = whole.only(without_specks(whole.vertices, whole.triangles))
     return assembled(rings, plan.untouched, whole, pieces.cuts)
