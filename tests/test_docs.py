@@ -9,7 +9,6 @@ from textwrap import dedent
 import pytest
 
 from sweep_addon.batch import job
-from sweep_addon.core.canal_surface import CanalSurface
 from sweep_addon.core.description import markdown
 from sweep_addon.core.ends import Open
 from sweep_addon.core.parameters import spelled
@@ -75,7 +74,8 @@ def test_table_of_parameters_is_the_declaration(shape):
 def test_job_behind_a_picture_makes_a_mesh_that_is_closed_unless_an_end_is_open(path):
     shape = job.read(path).shape
     mesh = shape.mesh()
-    flat = shape.is_plane if isinstance(shape, CanalSurface) else not shape.contour.section().closed
-    is_open = any(isinstance(end, Open) for end in (shape.start, shape.end)) or flat
+    ends, contour = (getattr(shape, name, None) for name in ("start", "end")), getattr(shape, "contour", None)
+    is_open = any(isinstance(end, Open) for end in ends) or getattr(shape, "is_plane", False)
+    is_open |= contour is not None and not contour.section().closed
     assert bool(len(mesh.boundary_edges())) == is_open
     assert not len(mesh.non_manifold_edges())

@@ -8,6 +8,7 @@ import numpy as np
 
 from .laws import Constant, Law
 from .parameters import count, declared, parameter, require
+from .resolving import solid_option
 from .sampling import Sampling, Tolerance
 from .texture import Texture
 from .trajectories import Helix, Trajectory
@@ -61,6 +62,7 @@ class CanalSurface:
     samples: Sampling = parameter(Tolerance(), "How many circles there are along the trajectory")
     start: BallEnd = parameter(BallEnd.ROUND, "What closes the start", group="Ends")
     end: BallEnd = parameter(BallEnd.ROUND, "What closes the end", group="Ends")
+    make_solid: bool = solid_option()
     texture: Texture = parameter(Texture.LENGTHS, "How texture coordinates are measured", group=ATTRIBUTES)
     attributes: bool = parameter(True, "Keep u, v and arc_length of each vertex for materials", group=ATTRIBUTES)
 
@@ -85,6 +87,8 @@ class CanalSurface:
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open; of discs, their plane region.
 
+        Where it is to be a solid, it is what `solid` makes.
+
         Parameters
         ----------
         dtype : numpy dtype
@@ -106,6 +110,12 @@ class CanalSurface:
         >>> len(mesh.boundary_edges()), mesh.euler_characteristic()
         (0, 2)
         """
+        if self.make_solid:
+            return self.solid().astype(dtype)
+        return self.surface(dtype)
+
+    def surface(self, dtype=np.float64):
+        """The envelope, also where it meets itself: a `Mesh`."""
         from .envelope import Envelope
 
         return Envelope(self).mesh(dtype)
@@ -129,8 +139,40 @@ class CanalSurface:
         ['local']
         """
         from .self_intersection.canals import of_canal
+        from .self_intersection.places import Places
 
-        return of_canal(self)
+        return Places(()) if self.make_solid else of_canal(self)
+
+    def solid(self, progress=None):
+        """The boundary of all points that the balls visit, as one valid solid; of discs their region.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+            Closed, manifold and outward, in metres; of discs flat faces, whose boundary edges are that of the region.
+
+        Raises
+        ------
+        ShapeError
+            For an open surface, or where manifold3d is missing.
+
+        Examples
+        --------
+        Discs of radius 0.5 on a circle of radius 0.3 visit a disc of radius 0.8:
+
+        >>> from math import pi, tau
+        >>> from sweep_addon.core.trajectories import Arc
+        >>> round(CanalSurface(Arc(0.3, tau), 0.5, "disc", samples=Tolerance(1e-6)).solid().area() / (pi * 0.8**2), 4)
+        1.0
+        """
+        from .resolving.of_balls import of_balls  # asks manifold3d
+
+        return of_balls(self, progress)
 
     def frames(self, most=100):
         """The frames and circles at places spread evenly along the trajectory.

@@ -79,7 +79,7 @@ class Circles:
         return Circles(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
 
 
-def circles(stations, balls, round_ends, samples, points):
+def circles(stations, balls, round_ends, samples, points, apart=False):
     """The characteristic circles of a canal surface.
 
     Parameters
@@ -92,40 +92,58 @@ def circles(stations, balls, round_ends, samples, points):
         How far on one ball it is from circle to circle.
     points : int
         Round each circle.
+    apart : bool
+        Whether circles that would turn back on a ball go on to its pole instead, and begin again at its other one.
 
     Returns
     -------
     Circles
     """
+    arrive, leave, bend = leans(stations, balls)
+    if not stations.closed:
+        arrive[0] = UPRIGHT if round_ends[0] else leave[0]
+        leave[-1] = -UPRIGHT if round_ends[1] else arrive[-1]
+    radius = balls.radius(stations.u, stations.s)
+    station, part, lean = np.arange(len(leave)), np.zeros(len(leave)), np.stack((arrive, leave))
+    if apart:
+        split = ((leave - arrive > SAME) | (bend > 0)) & (radius > 0)
+        station, again = np.repeat(station, 1 + split), np.repeat(split, 1 + split)
+        first = np.append(True, np.diff(station) > 0)
+        lean = lean[:, station]
+        lean[1, again & first], lean[0, again & ~first] = -UPRIGHT, UPRIGHT
+        bend, part = np.where(split, 0.0, bend), np.where(again & first, -1.0, part[station])
+    radius = radius[station]
+    turn = np.maximum(bend[station], np.abs(lean[1] - lean[0]))
+    steps = np.ceil(turn / widest(samples, radius, points) - 1e-9)
+    steps = np.where((turn > SAME) & (radius > 0), steps, 0).astype(int)
+    fine = isinstance(samples, Tolerance)
+    most = f"must be {'larger' if fine else 'fewer'}: balls take {steps.sum():,} circles of {MOST_STATIONS:,} at most"
+    key, got = ("samples.chord", samples.chord) if fine else ("points", points)
+    require(steps.sum() <= MOST_STATIONS, most, got, key)
+    turning = np.repeat(np.arange(len(station)), steps + 1)
+    share = np.arange(len(turning)) - np.repeat(np.cumsum(steps + 1) - steps - 1, steps + 1)
+    share = share / np.maximum(steps, 1)[turning]
+    lean = np.where(share == 1, lean[1, turning], lean[0, turning] + share * (lean[1] - lean[0])[turning])
+    station, arriving = station[turning], part[turning] < 0
+    axis = axes_of(stations, station, share, bend)
+    axis[arriving] = stations.arrive[station[arriving]]
+    on_path = (values[station] for values in (stations.u, stations.s, stations.points))
+    return Circles(station, *on_path, axis, radius[turning], lean)
+
+
+def leans(stations, balls):
+    """The lean before and after each station, and by how many radians the path turns there: three (n,)."""
     u, s = stations.u, stations.s
-    radius, leave = balls.radius(u, s), balls.lean(u, s)
+    leave = balls.lean(u, s)
     if stations.closed:
         u, s = (np.append(last, part[1:]) for last, part in ((balls.u[-1], u), (stations.total, s)))
     arrive = balls.lean(u, s, before=True)
     at_limit = near(stations, balls.measure.at(balls.limits))
     for lean in (arrive, leave):
         lean[at_limit] = np.copysign(UPRIGHT, lean[at_limit])
-    if not stations.closed:
-        arrive[0] = UPRIGHT if round_ends[0] else leave[0]
-        leave[-1] = -UPRIGHT if round_ends[1] else arrive[-1]
     bend = np.arccos(np.clip(dot(stations.arrive, stations.leave), -1.0, 1.0))
     bend[(stations.arrive == stations.leave).all(axis=1)] = 0.0
-    turn = np.maximum(bend, np.abs(leave - arrive))
-    wanted = np.ceil(turn / widest(samples, radius, points) - 1e-9)
-    steps = np.where((turn > SAME) & (radius > 0), wanted, 0).astype(int)
-    fine = isinstance(samples, Tolerance)
-    most = f"must be {'larger' if fine else 'fewer'}: balls take {steps.sum():,} circles of {MOST_STATIONS:,} at most"
-    key, got = ("samples.chord", samples.chord) if fine else ("points", points)
-    require(steps.sum() <= MOST_STATIONS, most, got, key)
-    station = np.repeat(np.arange(len(u)), steps + 1)
-    share = np.arange(len(station)) - np.repeat(np.cumsum(steps + 1) - steps - 1, steps + 1)
-    share = share / np.maximum(steps, 1)[station]
-    lean = arrive[station] + share * (leave - arrive)[station]
-    lean[share == 1] = leave[station][share == 1]
-    axis = turning(stations, station, share, bend)
-    return Circles(
-        station, stations.u[station], stations.s[station], stations.points[station], axis, radius[station], lean
-    )
+    return arrive, leave, bend
 
 
 def near(stations, limits):
@@ -144,7 +162,7 @@ def widest(samples, radius, points):
     return np.full(len(radius), min(max(2 * np.pi / points, np.pi / 2 / samples.contours), WIDEST_TURN))
 
 
-def turning(stations, station, share, bend):
+def axes_of(stations, station, share, bend):
     """The axis of each circle: at a corner a part of the way from one tangent to the other."""
     axis = stations.leave[station]
     at = np.flatnonzero(bend[station] > 0)

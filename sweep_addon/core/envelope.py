@@ -50,7 +50,7 @@ class Envelope:
         The circles that make a surface each; those at the ends of most are points.
     """
 
-    def __init__(self, shape, factor=1.0):
+    def __init__(self, shape, factor=1.0, apart=False):
         self.shape, self.trajectory = shape, shape.trajectory
         with at("trajectory"):
             arc_length(self.trajectory)
@@ -61,7 +61,7 @@ class Envelope:
         self.section = ACROSS if flat else Circle(1.0, shape.points).section()
         paced = (None, None) if self.balls.is_constant else (pace(self.balls).density, pace(self.balls).way)
         self.stations = place(self.trajectory, shape.samples, marks(self.balls, shape.samples), *paced)
-        self.circles = circles(self.stations, self.balls, shape.round_ends, shape.samples, shape.points)
+        self.circles = circles(self.stations, self.balls, shape.round_ends, shape.samples, shape.points, apart)
         require_few(len(self.circles.s) * len(self.section.points), "samples")
 
     @property
@@ -99,6 +99,10 @@ class Envelope:
 
     def mesh(self, dtype):
         """The surface, of one part for each run."""
+        return joined(self.parts(dtype))
+
+    def parts(self, dtype):
+        """The meshes of the runs: a list."""
         runs, e2, e3 = self.runs, *self.sides
         require(runs, NONE.format("disc" if self.shape.is_plane else "ball"), self.shape.radius, "radius")
         sizes, centres = self.circles.sizes[:, None], self.circles.centres
@@ -106,7 +110,7 @@ class Envelope:
         way, total = self.circles.way(self.closed, self.stations.total)
         way = way - way[np.flatnonzero(self.circles.station == 0)[-1]]  # 0 where the trajectory starts
         told = self.told
-        return joined([self.part(run, closed, rings, way, total, told, dtype) for run, closed in runs])
+        return [self.part(run, closed, rings, way, total, told, dtype) for run, closed in runs]
 
     def part(self, run, closed, rings, way, total, told, dtype):
         """The mesh of one run."""

@@ -7,7 +7,7 @@ from _window import run
 
 ADD, MESH, ACROSS, SWEEP, INSIDE = (285, 860), (310, 836), (500, 836), (500, 613), (690, 613)  # read off a picture
 GENERALIZED_CYLINDER = (690, 529)
-POINTS = (592, 440)
+POINTS = (592, 461)
 
 
 def add_menu(person):
