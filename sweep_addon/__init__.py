@@ -16,6 +16,7 @@ from .core import contours, corners, directions, ends, frames, laws, limits, sam
 from .core.canal_surface import CanalSurface
 from .core.general_sweep import GeneralSweep
 from .core.generalized_cylinder import GeneralizedCylinder
+from .core.offset_surface import OffsetSurface
 from .core.parameters import ShapeError
 from .core.pd_curve import PDCurve
 from .core.pd_curve_sweep import PDCurveSweep
@@ -27,6 +28,7 @@ __all__ = [
     "GeneralSweep",
     "GeneralizedCylinder",
     "Mesh",
+    "OffsetSurface",
     "PDCurve",
     "PDCurveSweep",
     "RotationalSweep",

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The boundary of what a ball visits that moves over the surface of a solid, by the engine that suits the solid."""
 
-from enum import Enum
-
 import numpy as np
 
 from ..booleans import arrays
@@ -13,6 +11,7 @@ from ..parameters import ShapeError, require
 from ..polyhedron import polyhedron
 from ..vectors import cross, dot, unit
 from .around import Around
+from .choices import Engine, Side
 from .convex import convex_inset, convex_offset, is_convex
 from .dual import TornError
 from .interval import enclosing
@@ -27,23 +26,6 @@ SIDES = 16  # meridians of the ball, where nobody asks for a tolerance
 MOST_SIDES = 64
 AT_ONCE = 4_000_000  # products of normals and vertices
 RANGE = (0.005, 0.995)  # what 99 % of the triangles are between
-
-
-class Side(Enum):
-    """On which side of the surface"""
-
-    OUTSIDE = "The solid and all within the radius of it"
-    INSIDE = "What of the solid is farther than the radius from its surface"
-    SHELL = "All within the radius of the surface, on both sides"
-
-
-class Engine(Enum):
-    """How an offset is made"""
-
-    AUTOMATIC = "Convex solids as such, those of few flat faces by rounded faces, all others by a level set"
-    CONVEX = "The hull of the faces moved out, with arcs and domes; inside, the faces moved in"
-    ROUNDED_FACES = "The union of a rounded body around each flat face"
-    LEVEL_SET = "Where the exact distance is the radius, on a lattice"
 
 
 @individual
@@ -90,8 +72,9 @@ class Offset:
         if self.crossing:
             yield f"{self.crossing} pairs of faces cross each other: a smaller tolerance parts them."
 
-    def mesh(self, radius):
-        return polyhedron(self.vertices, self.triangles, told=self.told(radius))
+    def mesh(self, radius, dtype=np.float64):
+        """The offset as a `Mesh` that tells of it."""
+        return polyhedron(self.vertices.astype(dtype), self.triangles, told=self.told(radius))
 
 
 def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMATIC):

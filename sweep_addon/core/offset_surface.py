@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The offset surface: the boundary of what a ball visits that moves over the surface of a solid."""
+
+import numpy as np
+
+from .later import later
+from .offsets.choices import Engine, Side
+from .parameters import declared, length, parameter
+from .solids import DrilledBlock, Solid
+
+offset = later("core.offsets.offset", "offset")
+
+
+@declared
+class OffsetSurface:
+    """A ball that moves over the surface of a solid, outside, inside or on both sides
+
+    The surface bounds one valid solid, also where the radius is more than the solid's features are apart: holes close,
+    and what is thin inside is gone.
+
+    Source
+    ------
+    The lecture's "offset surface". Steiner's formula gives the volume around a convex solid: V + A r + the turns of its
+    edges times their lengths r^2 / 2 + 4/3 pi r^3.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from sweep_addon.core.solids import Block
+    >>> round_block = OffsetSurface(Block(1.0, 1.0, 1.0), radius=0.5, tolerance=1e-5).mesh()
+    >>> round(round_block.volume() / (1 + 6 * 0.5 + 12 * pi / 4 * 0.5**2 + 4 / 3 * pi * 0.5**3), 4)
+    1.0
+    """
+
+    solid: Solid = parameter(DrilledBlock(), "Whose surface the ball moves over", accepts=("MESH",))
+    radius: float = length(0.02, "Radius of the ball")
+    side: Side = parameter(Side.OUTSIDE, "On which side of the surface")
+    tolerance: float = parameter(
+        0.0, "Largest distance from the true surface on smooth parts; 0 is by the size of the solid", unit="length",
+        minimum=0.0,
+    )  # fmt: skip
+    engine: Engine = parameter(Engine.AUTOMATIC, "How it is made")
+
+    def mesh(self, dtype=np.float64):
+        """The surface as a mesh of triangles: closed, manifold and outward.
+
+        Parameters
+        ----------
+        dtype : numpy dtype
+            Of the vertices, which are in metres.
+
+        Returns
+        -------
+        Mesh
+            ``told`` says which engine made it and why, and how far from the radius it is at most.
+
+        Raises
+        ------
+        ShapeError
+            For a solid that is not closed or crosses itself, inside where nothing is left of it, for a tolerance that
+            is too small, or where manifold3d is missing.
+
+        Examples
+        --------
+        >>> mesh = OffsetSurface().mesh()
+        >>> len(mesh.boundary_edges()), mesh.euler_characteristic()
+        (0, 0)
+        >>> mesh.told[0].split(":")[0]
+        'Offset by rounded faces, as the solid has no more than 600 flat faces'
+        """
+        return offset(self.solid.mesh(), self.radius, self.side, self.tolerance, self.engine).mesh(self.radius, dtype)
