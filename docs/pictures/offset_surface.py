@@ -17,7 +17,7 @@ from bl_ext.user_default.sweep_addon.sweep_addon.batch.job import Render
 from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import difference
 from bl_ext.user_default.sweep_addon.sweep_addon.core.solids import Block, DrilledBlock
 
-RENDER = Render(width=1200, height=420, azimuth=-1.2, elevation=0.75, margin=0.03, samples=48)
+RENDER = Render(width=1000, height=360, azimuth=-1.2, elevation=0.75, margin=0.03, samples=24)
 SOLID = Render(side=(0.16, 0.42, 0.66), caps=(0.16, 0.42, 0.66))
 BLOCK, APART = DrilledBlock(1.0, 1.0, 0.6, radius=0.2, points=96), 1.75
 SHOWN = ((0.15, "outside"), (0.08, "inside"), (0.08, "shell"), (0.3, "outside"))
@@ -27,7 +27,7 @@ def main(picture):
     scene.empty()
     shown = []
     for place, (radius, side) in enumerate(SHOWN):
-        offset = sw.OffsetSurface(BLOCK, radius, side, tolerance=radius / 400, engine="rounded-faces").mesh()
+        offset = sw.OffsetSurface(BLOCK, radius, side, tolerance=radius / 60, engine="rounded-faces").mesh()
         block = BLOCK.mesh()
         if side == "inside":
             block = without_a_corner(block)

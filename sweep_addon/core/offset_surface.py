@@ -7,7 +7,7 @@ import numpy as np
 from .later import later
 from .offsets.choices import Engine, Side
 from .parameters import declared, length, parameter
-from .solids import DrilledBlock, Solid
+from .solids import Bracket, Solid
 
 offset = later("core.offsets.offset", "offset")
 
@@ -33,7 +33,7 @@ class OffsetSurface:
     1.0
     """
 
-    solid: Solid = parameter(DrilledBlock(), "Whose surface the ball moves over", accepts=("MESH",))
+    solid: Solid = parameter(Bracket(), "Whose surface the ball moves over", accepts=("MESH",))
     radius: float = length(0.02, "Radius of the ball")
     side: Side = parameter(Side.OUTSIDE, "On which side of the surface")
     tolerance: float = parameter(
@@ -65,7 +65,7 @@ class OffsetSurface:
         --------
         >>> mesh = OffsetSurface().mesh()
         >>> len(mesh.boundary_edges()), mesh.euler_characteristic()
-        (0, 0)
+        (0, 2)
         >>> mesh.told[0].split(":")[0]
         'Offset by rounded faces, as the solid has no more than 600 flat faces'
         """
