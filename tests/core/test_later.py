@@ -94,7 +94,7 @@ def defaults(declared):
 @pytest.mark.parametrize("shape", SHAPES)
 def test_every_declared_default_passes_the_check_that_declaring_may_leave_out(shape):
     found = list(defaults(parameters(shape)))
-    assert len(found) > 1
+    assert found
     for value in found:
         assert replace(value) == value  # made anew, checked
 
