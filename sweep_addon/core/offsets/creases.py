@@ -4,12 +4,13 @@
 
 import numpy as np
 
-from ..vectors import dot
+from ..vectors import dot, unit
 
 TURN = 0.25  # of unit normals of neighbours: less is a smooth sheet
 OFF = 0.01  # of a cell: a vertex that is farther from the zero after it was moved there is at a crease
 STILL_OFF = 0.02  # of a cell: so far from the zero a vertex at a crease may be
 NEARLY = 0.1  # of a cell: a crease that is farther from a cell than this is another cell's
+STAND_OFF = 0.5  # of a cell: how far from a vertex a ridge is looked for
 WEAK = 0.05  # of the largest eigenvalue: along directions of less, planes say nothing of where a vertex belongs
 
 
@@ -32,26 +33,41 @@ def at_creases(field, vertices, pairs, floor, step):
     -------
     Vertices
     """
-    which = near_creases(vertices, pairs, step, field.ridges)
+    which, ridge = near_creases(vertices, pairs, step, field.ridges)
     number = np.full(len(vertices.places), -1)
     number[which] = np.arange(len(which))
     ring = np.concatenate((pairs[number[pairs[:, 0]] >= 0], np.stack((which, which), axis=1)))
-    other = ring[:, 1]
-    places = meeting_places(vertices.places[which], number[ring[:, 0]], vertices.foot[other], vertices.normals[other])
-    beyond = np.maximum(floor[which] - places, places - floor[which] - step).max(axis=1)
-    here = beyond < NEARLY * step
-    which, places = which[here], places[here]
+    own, other = number[ring[:, 0]], ring[:, 1]
+    places = meeting_places(vertices.places[which], own, vertices.foot[other], vertices.normals[other])
+    vertices, done = placed(field, vertices, which, places, floor, step)
+    left = np.flatnonzero(ridge & ~np.isin(which, done))
+    if len(left):
+        feet = feet_on_ridges(field, vertices, which, own, other, step)[left]
+        vertices, _ = placed(field, vertices, which[left], feet, floor, step)
+    off = which[np.abs(vertices.values[which]) > STILL_OFF * step]
+    return placed(field, vertices, off, vertices.foot[off], floor, step, better=True)[0]
+
+
+def placed(field, vertices, which, places, floor, step, better=False):
+    """Vertices of which some are moved to places, those that stay in their cells and are on the zero there, or nearer.
+
+    Returns
+    -------
+    Vertices
+    which : (k,) int array
+        Those that were moved.
+    """
     low = floor[which]
+    here = np.maximum(low - places, places - low - step).max(axis=1, initial=-step) < NEARLY * step
+    which, low, places = which[here], low[here], places[here]
     moved = vertices.some(which).at(field, np.clip(places, low, low + step))
-    off = np.flatnonzero(np.abs(moved.values) > STILL_OFF * step)
-    back = moved.some(off)
-    moved = moved.replaced(off, back.at(field, np.clip(back.foot, low[off], low[off] + step)))
-    better = np.abs(moved.values) < np.maximum(np.abs(vertices.values[which]), STILL_OFF * step)
-    return vertices.replaced(which[better], moved.some(better))
+    most = np.maximum(np.abs(vertices.values[which]) if better else 0.0, STILL_OFF * step)
+    good = np.abs(moved.values) <= most
+    return vertices.replaced(which[good], moved.some(good)), which[good]
 
 
 def near_creases(vertices, pairs, step, ridges):
-    """The numbers of vertices that have a neighbour whose normal differs, or that are not on the zero.
+    """The numbers of vertices with a neighbour whose normal differs, or that are off the zero; and which are convex.
 
     Without ridges only normals that turn to each other count: of a distance, sheets meet in valleys alone.
     """
@@ -62,7 +78,19 @@ def near_creases(vertices, pairs, step, ridges):
         bent &= dot(turn, vertices.places[other] - vertices.places[one]) < 0
     crease = np.abs(vertices.values) > OFF * step
     crease[one[bent]] = True
-    return np.flatnonzero(crease)
+    apart = np.bincount(one[bent], dot(turn, vertices.places[other] - vertices.places[one])[bent], len(crease))
+    which = np.flatnonzero(crease)
+    return which, apart[which] > 0
+
+
+def feet_on_ridges(field, vertices, which, number, other, step):
+    """Where the surface is nearest to places that stand off from vertices midway between the normals around them.
+
+    Of a ridge that is on the ridge, which is nearest to all that is between the normals of its sheets.
+    """
+    outward = unit(np.stack([np.bincount(number, part, len(which)) for part in vertices.normals[other].T], axis=1))
+    some = vertices.some(which)
+    return some.at(field, some.places + STAND_OFF * step * outward).foot
 
 
 def meeting_places(places, which, planes, normals):
