@@ -121,11 +121,11 @@ def spread(like, triangles):
     """Give those that are like none, where hulls cross each other, what a neighbour is like: in place."""
     while True:
         found = like[triangles]
-        some = found[((found < 0).any(axis=1)) & (found >= 0).any(axis=1)]
-        at = triangles[((found < 0).any(axis=1)) & (found >= 0).any(axis=1)]
-        if not len(at):
+        partly = (found < 0).any(axis=1) & (found >= 0).any(axis=1)
+        if not partly.any():
             return
-        like[at] = np.where(some < 0, some.max(axis=1, keepdims=True), some)
+        some = found[partly]
+        like[triangles[partly]] = np.where(some < 0, some.max(axis=1, keepdims=True), some)
 
 
 def nearest_corner(mesh, faces, points):
