@@ -251,3 +251,11 @@ def test_a_solid_that_crosses_itself_is_refused():
 def test_the_engine_and_its_bounds_are_told():
     (told,) = offset(CONVEX["block"], 0.1).mesh(0.1).told
     assert "convex" in told
+
+
+def test_a_radius_that_is_small_beside_the_cells_is_told_to_be():
+    tube = GeneralizedCylinder(Circle(0.3, points=24), TorusKnot(2, 3, major=2.0, minor=0.8), Count(100)).mesh()
+    found = offset(tube, 0.01, engine=Engine.LEVEL_SET)
+    assert_valid(found, euler=0)
+    assert "smaller tolerance" in found.mesh(0.01).told[1]
+    assert_between(tube, found)

@@ -18,11 +18,12 @@ from .level_set import level_set
 from .rounded_union import few_faces, offset_bodies, rounded
 
 FEW = 600  # flat faces: a hull for each takes two to three milliseconds
-FINEST = 512  # cells across, where nobody asks for a tolerance
+FINEST = 160  # cells across, where nobody asks for a tolerance and the radius is small
 ACROSS = 64  # cells across, where nobody asks for a tolerance and the radius is large
 ARC = 0.1  # radians between neighbours on arcs, where nobody asks for a tolerance
 SIDES = 16  # meridians of the ball, where nobody asks for a tolerance
 MOST_SIDES = 64
+ROUGH = 0.8  # of the radius: where faces come nearer than this, it is told how to do better
 RANGE = (0.005, 0.995)  # what 99 % of the triangles are between
 
 
@@ -67,6 +68,8 @@ class Offset:
         between = [" to ".join(f"{x / radius:.3g}" for x in pair) for pair in (most, bounds)]
         name = self.engine.name.lower().replace("_", " ")
         yield f"Offset by {name}, as {self.reason}: {between[0]} radii away, nowhere beyond {between[1]}."
+        if bounds[0] < ROUGH * radius:
+            yield "The radius is small beside the cells: a smaller tolerance makes the offset nearer."
         if self.crossing:
             yield f"{self.crossing} pairs of faces cross each other: a smaller tolerance parts them."
 
