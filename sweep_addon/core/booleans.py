@@ -56,7 +56,7 @@ def body(vertices, triangles, faces=None):
     if faces is not None:
         run = np.array([0, 3 * len(triangles)], np.uint64), np.array([named()], np.uint32)
         told = {"face_id": np.asarray(faces, np.uint64), "run_index": run[0], "run_original_id": run[1]}
-    vertices = np.ascontiguousarray(vertices, np.float64)
+    vertices = np.array(vertices, np.float64, order="C")  # manifold3d takes no array that is read-only
     made = manifold3d.Manifold(manifold3d.Mesh64(vertices, np.ascontiguousarray(triangles, np.uint64), **told))
     status = made.status()
     require(status == manifold3d.Error.NoError, "A boolean takes closed, manifold, oriented meshes", status.name)
@@ -71,7 +71,7 @@ def body_of(mesh):
 
 def hull_body(points):
     """The body of the convex hull of points (n, 3); one that holds nothing where they lie in a plane."""
-    return library().Manifold.hull_points(np.ascontiguousarray(points, np.float64))
+    return library().Manifold.hull_points(np.array(points, np.float64, order="C"))
 
 
 def united(bodies):

@@ -18,7 +18,7 @@ from sweep_addon.core.offsets.offset import Engine, Side, offset
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.polyhedron import polyhedron
 from sweep_addon.core.sampling import Count
-from sweep_addon.core.solids import Block, Bracket, Cylinder, DrilledBlock
+from sweep_addon.core.solids import Block, Bracket, Cylinder, DrilledBlock, Triangles
 from sweep_addon.core.trajectories import Formula, TorusKnot
 from sweep_addon.core.translational_sweep import TranslationalSweep
 
@@ -237,6 +237,8 @@ def test_refusals():
     block = Block(1.0, 1.0, 1.0).mesh()
     with pytest.raises(ShapeError, match="radius: must leave something of the solid inside, got 0.6"):
         offset(block, 0.6, Side.INSIDE)
+    with pytest.raises(ShapeError, match="radius: must leave something"):
+        offset(block, 0.5 * (1 - 1e-9), Side.INSIDE)
     flipped = polyhedron(block.vertices, triangulated(block)[1][:, ::-1])
     with pytest.raises(ShapeError, match="must look outwards"):
         offset(flipped, 0.1)
@@ -259,3 +261,11 @@ def test_a_radius_that_is_small_beside_the_cells_is_told_to_be():
     assert_valid(found, euler=0)
     assert "smaller tolerance" in found.mesh(0.01).told[1]
     assert_between(tube, found)
+
+
+def test_a_solid_of_given_triangles_is_offset_too():
+    """Their numbers are read-only."""
+    solid = Triangles.of(CONVEX["block"])
+    for side in Side:
+        assert_valid(offset(solid.mesh(), 0.05, side))
+    assert_valid(offset(Triangles.of(HOLLOW["bracket"]).mesh(), 0.01))

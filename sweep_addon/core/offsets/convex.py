@@ -11,6 +11,7 @@ from .sphere import spread
 
 ROUNDING = 1e-9  # of the size: what a corner may stick out of the plane of a face beside it
 DIGITS = 12  # of planes: those that differ in none are one
+SPECK = 1e-15  # of the solid's volume: less is rounding of what has gone
 AT_ONCE = 4_000_000  # products of directions and vertices
 
 
@@ -57,6 +58,8 @@ def convex_inset(vertices, triangles, radius):
     left = body(vertices, triangles)
     for *normal, height in planes[first]:
         left = left.trim_by_plane([-x for x in normal], radius - height)
+    if left.volume() <= SPECK * body(vertices, triangles).volume():
+        return np.zeros((0, 3)), np.zeros((0, 3), dtype=int)
     return arrays(left)[:2]
 
 
