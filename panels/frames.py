@@ -78,8 +78,10 @@ def batch_of(mesh, shader):
 def lines_of(mesh, theme):
     """The ends of all lines of a sweep, (2 n, 3), and their colours, (2 n, 4), in single precision; None if refused."""
     try:
-        shown = [shape.frames() for shape in objects.shapes(mesh)]
+        shown = [shape.frames() for shape in objects.shapes(mesh) if hasattr(shape, "frames")]
     except ShapeError:
+        return None
+    if not shown:  # nothing moves along a trajectory
         return None
     interface = theme.user_interface
     colours = [(*axis, 1.0) for axis in (interface.axis_x, interface.axis_y, interface.axis_z)]

@@ -94,7 +94,7 @@ def draw_sweep(layout, context, mesh, say):
     declared = [p for p in parameters(shape) if p.group != MEETING]  # they stand beside what is found
     bodies = declared_layout.draw(column, group, declared)
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
-    if frames:
+    if frames and hasattr(shape, "frames"):
         frames.prop(context.window_manager, "sweep_show_frames")
     draw_self_intersections(layout, sweep, say)
     if hasattr(group, "make_solid") or sweep.solid:

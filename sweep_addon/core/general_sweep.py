@@ -179,7 +179,7 @@ class GeneralSweep:
         Returns
         -------
         Frames
-            With the generator's z axis as e1, its x axis as e2 and its y axis as e3; a solid has no outlines.
+            With the generator's z axis as e1, its x axis as e2 and its y axis as e3; a solid is shown as its box.
 
         Examples
         --------

@@ -48,8 +48,9 @@ class Changing:
         return Places(())
 
     def outlines(self, poses):
-        """A region has none that goes on all the way."""
-        return ()
+        """The square that is looked at, in some poses: a (n, 4, 3) float array."""
+        half = self.region.size / 2
+        return (self.motion.posed(raised(half * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])), poses),)
 
 
 class OverTheWay:

@@ -81,8 +81,11 @@ class Solid:
         return Places(())
 
     def outlines(self, poses):
-        """A solid has none."""
-        return ()
+        """The bottom and the top of the box around the solid in some poses: two (n, 4, 3) float arrays."""
+        low, high = self.generator.vertices.min(axis=0), self.generator.vertices.max(axis=0)
+        square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+        corners = [low + (high - low) * np.column_stack((square, np.full(4, side))) for side in (0, 1)]
+        return tuple(self.motion.posed(loop, poses) for loop in corners)
 
 
 def turned_over(mesh):
