@@ -15,6 +15,7 @@ from . import (
     edit_as_curve,
     find_self_intersections,
     make_solid,
+    offset_selected,
     remove_item,
     sweep_selected,
 )
@@ -34,5 +35,6 @@ register, unregister = register_classes_factory(
         find_self_intersections.OBJECT_OT_sweep_find_self_intersections,
         find_self_intersections.OBJECT_OT_sweep_select_self_intersections,
         make_solid.OBJECT_OT_sweep_make_solid,
+        offset_selected.OBJECT_OT_sweep_offset_selected,
     )
 )

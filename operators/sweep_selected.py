@@ -23,7 +23,7 @@ class OBJECT_OT_sweep_selected(Operator):
     shape: EnumProperty(
         name="Shape",
         description="What becomes of the selected objects",
-        items=[rna.item(shape, summary(shape)) for shape in SHAPES],
+        items=[rna.item(shape, summary(shape)) for shape in SHAPES if objects.carrier(shape) != "body"],
         default=spelled(GeneralizedCylinder, "_").upper(),
     )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")

@@ -6,6 +6,7 @@ from bpy.types import Menu
 
 from ..operators.add_shape import idname
 from ..sweep_addon.bridge.objects import title as title_of
+from ..sweep_addon.core.offset_surface import OffsetSurface
 from ..sweep_addon.core.parameters import spelled
 from ..sweep_addon.core.shapes import CLASSIFICATION, SHAPES
 from ..sweep_addon.presets import PRESETS, title
@@ -54,12 +55,15 @@ def draw_preset(layout, preset, text):
 
 
 class VIEW3D_MT_sweep_selected(Menu):
-    """What can be made of the selected curves and texts"""
+    """What can be made of the selected curves, texts and meshes"""
 
     bl_label = "Sweep Selected"
 
     def draw(self, context):
         for shape in SHAPES:
+            if shape is OffsetSurface:
+                self.layout.operator("object.sweep_offset_selected", icon_value=previews.icon(shape))
+                continue
             name = spelled(shape, "_").upper()
             chosen = self.layout.operator(
                 "object.sweep_selected", text=title_of(shape), icon_value=previews.icon(shape)

@@ -121,7 +121,7 @@ def is_sweep(ob):
 def carrier(shape):
     """The name of the parameter in whose object's space the mesh of a shape's class is: the path, if it has one."""
     names = [p.name for p in parameters(shape)]
-    return next(name for name in ("trajectory", "contour", "solid") if name in names)
+    return next(name for name in ("trajectory", "contour", "body") if name in names)
 
 
 def suited(shape, given):
@@ -225,12 +225,15 @@ def place_along(context, mesh, carrier):
 
 
 def attach(ob, carrier):
-    """Put an object into the space of a curve or text, where its mesh is.
+    """Put an object into the space of a curve, text or mesh, where its mesh is.
 
     Blender puts a child of a curve with *Path Animation*, which every curve of its Add menu has, at the path's start.
     A path that nothing follows is switched off; where something may, the object is constrained and not parented.
     """
     curve = carrier.data
+    if not hasattr(curve, "use_path"):
+        ob.parent = carrier
+        return
     if curve.use_path and (curve.animation_data or is_followed(carrier)):
         constraint = ob.constraints.new("CHILD_OF")
         constraint.target = carrier

@@ -2,14 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The offset surface: the boundary of what a ball visits that moves over the surface of a solid."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from .later import later
 from .offsets.choices import Engine, Side
 from .parameters import declared, length, parameter
 from .solids import Bracket, Solid
+from .vectors import unit
 
 offset = later("core.offsets.offset", "offset")
+
+QUICK = 60  # faces of a body whose offset is made in a tenth of a second or two
 
 
 @declared
@@ -33,7 +38,7 @@ class OffsetSurface:
     1.0
     """
 
-    solid: Solid = parameter(Bracket(), "Whose surface the ball moves over", accepts=("MESH",))
+    body: Solid = parameter(Bracket(), "Whose surface the ball moves over", accepts=("MESH",))
     radius: float = length(0.02, "Radius of the ball")
     side: Side = parameter(Side.OUTSIDE, "On which side of the surface")
     tolerance: float = parameter(
@@ -69,4 +74,57 @@ class OffsetSurface:
         >>> mesh.told[0].split(":")[0]
         'Offset by rounded faces, as the solid has no more than 600 flat faces'
         """
-        return offset(self.solid.mesh(), self.radius, self.side, self.tolerance, self.engine).mesh(self.radius, dtype)
+        return offset(self.body.mesh(), self.radius, self.side, self.tolerance, self.engine).mesh(self.radius, dtype)
+
+    @property
+    def make_solid(self):
+        """Whether the mesh takes so long that in a window a rough one stands until it is made."""
+        return len(self.body.mesh().offsets) > QUICK
+
+    def surface(self, dtype=np.float64):
+        """Roughly the mesh, at once: the vertices of the body moved along their normals. It may cross itself."""
+        mesh, side = self.body.mesh(), -1 if self.side is Side.INSIDE else 1
+        corners, normals = mesh.corners, np.repeat(mesh.normals, np.diff(mesh.offsets), axis=0)
+        count = len(mesh.vertices)
+        ways = unit(np.stack([np.bincount(corners, part, count) for part in normals.T], axis=1))
+        return replace(mesh, vertices=(mesh.vertices + side * self.radius * ways).astype(dtype))
+
+    def solid(self, progress=None):
+        """The mesh, which is the boundary of a solid, and tells when it begins and ends.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+
+        Examples
+        --------
+        >>> OffsetSurface().solid().euler_characteristic()
+        2
+        """
+        progress = progress or (lambda part: None)
+        progress(0.0)
+        made = self.mesh()
+        progress(1.0)
+        return made
+
+    def self_intersections(self):
+        """Where the surface meets itself: nowhere, for it bounds a solid.
+
+        Returns
+        -------
+        Places
+            Empty.
+
+        Examples
+        --------
+        >>> len(OffsetSurface().self_intersections())
+        0
+        """
+        from .self_intersection.places import Places
+
+        return Places(())

@@ -103,10 +103,10 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
         of the solid; for too small a tolerance.
     """
     open_edges, odd = mesh.boundary_edges(), mesh.non_manifold_edges()
-    require(not len(open_edges), "must be closed", f"{len(open_edges)} open edges", "solid")
-    require(not len(odd), "must be manifold and look outwards", f"{len(odd)} edges that are not", "solid")
+    require(not len(open_edges), "must be closed", f"{len(open_edges)} open edges", "body")
+    require(not len(odd), "must be manifold and look outwards", f"{len(odd)} edges that are not", "body")
     volume = mesh.volume()
-    require(volume > 0, "must look outwards and hold something", volume, "solid")
+    require(volume > 0, "must look outwards and hold something", volume, "body")
     vertices, triangles = mesh.vertices, facets(mesh)[0].astype(np.int64)
     engine, reason = chosen(engine, vertices, triangles, side)
     made = {Engine.CONVEX: by_hull, Engine.ROUNDED_FACES: by_faces, Engine.LEVEL_SET: by_level_set}[engine]
@@ -174,7 +174,7 @@ def clear(field, low, high, step):
     try:
         return level_set(field, low, high, step)
     except TornError as error:
-        raise ShapeError("must not cross itself", "solid") from error
+        raise ShapeError("must not cross itself", "body") from error
     except ShapeError as error:
         raise ShapeError(error.sentence, "tolerance") from error
 

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Move a ball over the active mesh: a new object, its offset, which follows it."""
+
+from bpy.types import Operator
+
+from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.offset_surface import OffsetSurface
+from ..sweep_addon.core.parameters import ShapeError
+
+PART = 20  # of the size of a mesh is the radius, to begin with
+
+
+class OBJECT_OT_sweep_offset_selected(Operator):
+    """Make an offset surface of the active mesh, which it then follows"""
+
+    bl_idname = "object.sweep_offset_selected"
+    bl_label = "Offset Surface"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        ob = context.active_object
+        if context.mode == "OBJECT" and ob and ob.type == "MESH" and ob.select_get():
+            return True
+        cls.poll_message_set("Select a closed mesh")
+        return False
+
+    def execute(self, context):
+        ob = context.active_object
+        try:
+            shape = OffsetSurface(radius=(max(ob.dimensions) or 1.0) / PART)
+            mesh = objects.new_mesh(shape, objects.title(OffsetSurface), body=ob)
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        objects.place_along(context, mesh, ob)
+        return {"FINISHED"}
