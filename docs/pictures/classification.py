@@ -21,12 +21,12 @@ from bl_ext.user_default.sweep_addon.sweep_addon.bridge import meshes
 
 RENDER = Render(width=1400, height=1300, azimuth=-pi / 2, elevation=0.95, margin=0.02, samples=32)
 DARK = Render(side=(0.10, 0.12, 0.16), caps=(0.10, 0.12, 0.16))
-COLUMN, ROW, SIZE, TALL, HEAD = 1.5, 2.15, 1.05, 0.7, 0.2
+COLUMN, ROW, SIZE, TALL, HEAD = 1.5, 2.2, 1.05, 0.85, 0.2
 STAR = sw.contours.Star(5, 0.5, 0.25)
 RING = sw.trajectories.Arc(5.0, 2 * pi)
 ROWS = {
     "Planar generator": {
-        "translational": sw.TranslationalSweep(STAR, height=0.6, taper=0.2),
+        "translational": sw.TranslationalSweep(STAR, height=0.4, taper=0.3),
         "rotational": sw.RotationalSweep(sw.contours.Star(5, 0.3, 0.15), angle=4.7, axis_point=(-0.6, 0)),
         "PD curve": sw.PDCurveSweep(sw.contours.Star(5, 0.2, 0.1)),
         "generalized cylinder": sw.GeneralizedCylinder(
@@ -76,7 +76,7 @@ def main(picture):
     scene.empty()
     shown = []
     for row, (kind, sweeps) in enumerate(ROWS.items()):
-        shown.append(label(kind, (-0.5 * COLUMN, 0.88 - ROW * row, 0.002), HEAD, "LEFT"))
+        shown.append(label(kind, (-0.5 * COLUMN, 0.96 - ROW * row, 0.002), HEAD, "LEFT"))
         for column, (name, shape) in enumerate(sweeps.items()):
             mesh = shape.mesh()
             low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
