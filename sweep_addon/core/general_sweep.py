@@ -128,7 +128,7 @@ class GeneralSweep:
         return replace(self, cells=min(self.cells, COARSE)).mesh(dtype)
 
     def solid(self, progress=None):
-        """The mesh, which tells what part of it is done.
+        """The boundary of all that the generator visits; of a surface the mesh, though it may cross itself.
 
         Parameters
         ----------
@@ -148,8 +148,7 @@ class GeneralSweep:
         >>> bar.euler_characteristic(), parts == sorted(parts), 0 < parts[-1] <= 1
         (2, True, True)
         """
-        swept = self.swept()
-        return swept.mesh(progress=progress) if hasattr(swept, "is_solid") else swept.mesh()
+        return self.swept().solid(progress)
 
     def self_intersections(self):
         """Where the sweep of a planar figure or of a surface meets itself; that of a solid never does.

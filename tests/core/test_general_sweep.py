@@ -17,7 +17,7 @@ from sweep_addon.core.motion import Motion, Parallel
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Count
 from sweep_addon.core.solids import Ball, Block, Bracket, Cylinder, DrilledBlock, Triangles
-from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline, TorusKnot
 
 CUBE = Block(0.4, 0.4, 0.4)
 RANDOM = 250 if FULL else 10
@@ -107,6 +107,15 @@ def test_a_figure_that_rises_and_falls_crosses_itself():
     arch = Formula("u", "0", "1 - u^2", -1.0, 1.0)
     found = GeneralSweep(Rectangle(0.2, 0.2), arch).self_intersections()
     assert found[0].kind == "local" and found[0].parameters[0] == pytest.approx((0, 1), abs=0.05)
+
+
+def test_the_solid_of_a_figure_that_rises_and_falls_counts_what_both_visit_once():
+    """Two oblique prisms of 0.04: at height z what they have in common is 0.2 z wide, and holds 0.02."""
+    pytest.importorskip("manifold3d")
+    way = Polyline([(0, 0, 0), (0.1, 0, 1), (0.2, 0, 0)])
+    solid = GeneralSweep(Rectangle(0.2, 0.2), way).solid()
+    assert solid.volume() == pytest.approx(0.08 - 0.02, rel=1e-9)
+    assert_solid(solid, 2)
 
 
 # Surfaces

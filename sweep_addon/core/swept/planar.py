@@ -122,6 +122,12 @@ class Planar:
         )
         return Places([*places, *meetings(lattice, folded)])
 
+    def solid(self, progress=None):
+        """The boundary of all that the area visits: a `Mesh`."""
+        from ..resolving.resolve import resolved
+
+        return resolved(self.mesh(), progress, lambda: bool(self.self_intersections()))
+
     def outlines(self, poses):
         """The loops of the contour in some poses: a tuple of (n, k, 3) float arrays."""
         return tuple(

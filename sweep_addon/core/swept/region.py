@@ -42,6 +42,10 @@ class Changing:
         poses = self.motion.at(s).only(which.ravel()[1:])
         return self.motion.each(raised(points[:, :2]), poses)
 
+    def solid(self, progress=None):
+        """The mesh."""
+        return self.mesh()
+
     def self_intersections(self):
         from ..self_intersection.places import Places
 

@@ -50,6 +50,10 @@ class Solid:
         places = found.vertices.places.astype(dtype)
         return polyhedron(places, found.triangles, told=(*poses.told, said(found, visited, step)))
 
+    def solid(self, progress=None):
+        """The mesh, which tells what part of it is done."""
+        return self.mesh(progress=progress)
+
     @cached_property
     def some(self):
         """Vertices of the solid by which its extent and its way are told: (k, 3) float array."""

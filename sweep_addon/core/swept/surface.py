@@ -90,6 +90,10 @@ class Surface:
         offsets = np.concatenate(([0], np.cumsum(np.concatenate(sizes))))
         return polyhedron(np.concatenate(parts).astype(dtype), np.concatenate(faces), offsets, material, poses.told)
 
+    def solid(self, progress=None):
+        """The mesh."""
+        return self.mesh()
+
     def self_intersections(self):
         from ..self_intersection.places import Places
 
