@@ -5,10 +5,13 @@
 from bpy.props import StringProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects, rna
+from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError, parameters
 from ..sweep_addon.core.wording import shown
 from .on_sweep import OnSweep
+
+objects = later("bridge.objects")
 
 
 class OBJECT_OT_sweep_item_add(OnSweep, Operator):

@@ -7,9 +7,11 @@ from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ..sweep_addon import presets
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
 from ..sweep_addon.core.trajectories import Line
+
+objects = later("bridge.objects")
 
 
 class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):

@@ -5,11 +5,14 @@
 from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
-from ..sweep_addon.bridge import layout, objects, rna
+from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
-from ..sweep_addon.core.wording import summary
+from ..sweep_addon.core.wording import summary, titled
 from ..sweep_addon.properties.sweep import update
+
+layout, objects = later("bridge.layout"), later("bridge.objects")
 
 
 class AddShape(AddObjectHelper):
@@ -45,7 +48,7 @@ def add_operator(shape):
         "__doc__": summary(shape),
         "__annotations__": rna.annotations(parameters(shape), update=update),  # shared with the mesh's own
         "bl_idname": idname(shape),
-        "bl_label": objects.title(shape),
+        "bl_label": titled(shape),
         "shape": shape,
     }
     return type(f"MESH_OT_{name}_add", (AddShape, Operator), members)

@@ -4,7 +4,9 @@
 
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
+
+objects = later("bridge.objects")
 
 
 class OBJECT_OT_sweep_apply(Operator):

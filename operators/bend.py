@@ -5,11 +5,10 @@
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
 
-bent = later("bridge.bent")
+bent, objects = later("bridge.bent"), later("bridge.objects")
 
 
 class OBJECT_OT_sweep_bend(Operator):

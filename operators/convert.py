@@ -5,11 +5,11 @@
 import bpy
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
 
 bevel, curve_to_mesh = later("bridge.bevel"), later("bridge.curve_to_mesh")
+objects = later("bridge.objects")
 
 
 class OBJECT_OT_sweep_convert(Operator):

@@ -5,10 +5,10 @@
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
 
+objects = later("bridge.objects")
 dump, python_source = later("core.forms", "dump", "python_source")
 
 FORMS = [

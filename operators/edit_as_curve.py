@@ -5,12 +5,12 @@
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError, parameters
 from .on_sweep import OnSweep
 
 beside, curves = later("bridge.beside"), later("bridge.curves")
+objects = later("bridge.objects")
 
 EDITABLE = {
     "trajectory": "The path along which the contour moves",

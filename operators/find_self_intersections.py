@@ -5,12 +5,11 @@
 import bpy
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
-from ..sweep_addon.properties import finding
 
-crossings = later("bridge.crossings")
+crossings, objects = later("bridge.crossings"), later("bridge.objects")
+finding = later("properties.finding")
 
 
 class OBJECT_OT_sweep_find_self_intersections(Operator):

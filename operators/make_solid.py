@@ -5,9 +5,10 @@
 import bpy
 from bpy.types import Operator
 
-from ..sweep_addon.bridge.objects import is_sweep
-from ..sweep_addon.properties import finding, solving
-from ..sweep_addon.properties.live import AWAITED
+from ..sweep_addon.core.later import later
+
+is_sweep = later("bridge.objects", "is_sweep")
+finding, live, solving = later("properties.finding"), later("properties.live"), later("properties.solving")
 
 TICK = 0.05  # seconds
 
@@ -35,7 +36,7 @@ class OBJECT_OT_sweep_make_solid(Operator):
     def invoke(self, context, event):
         ob = context.active_object
         if is_sweep(ob) and ob.data.sweep.solid:
-            ob.data.sweep.solid = AWAITED
+            ob.data.sweep.solid = live.AWAITED
         meshes = solving.awaited()
         work = solving.work_of(meshes[0]) if meshes else None
         if not work:
@@ -48,7 +49,7 @@ class OBJECT_OT_sweep_make_solid(Operator):
 
     def modal(self, context, event):
         work, mesh = self.running, next((m for m in bpy.data.meshes if m.session_uid == self.mesh), None)
-        current = mesh and mesh.sweep.made == work.wanted and mesh.sweep.solid == AWAITED
+        current = mesh and mesh.sweep.made == work.wanted and mesh.sweep.solid == live.AWAITED
         if event.type == "ESC" and event.value == "PRESS" or not current:
             work.stop()
         elif event.type != "TIMER":

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What operators have in common that change the parameters of the active sweep."""
 
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
+
+objects = later("bridge.objects")
 
 
 class OnSweep:

@@ -5,9 +5,12 @@
 from bpy.props import IntProperty, StringProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects, rna
+from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import parameters
 from .on_sweep import OnSweep
+
+objects = later("bridge.objects")
 
 
 class OBJECT_OT_sweep_item_remove(OnSweep, Operator):

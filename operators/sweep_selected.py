@@ -5,12 +5,15 @@
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects, rna
+from ..sweep_addon.bridge import rna
 from ..sweep_addon.core.general_sweep import GeneralSweep
 from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
 from ..sweep_addon.core.shapes import SHAPES
 from ..sweep_addon.core.wording import summary
+
+objects = later("bridge.objects")
 
 
 class OBJECT_OT_sweep_selected(Operator):

@@ -5,10 +5,10 @@
 from bpy.types import Menu
 
 from ..operators.add_shape import idname
-from ..sweep_addon.bridge.objects import title as title_of
 from ..sweep_addon.core.offset_surface import OffsetSurface
 from ..sweep_addon.core.parameters import spelled
 from ..sweep_addon.core.shapes import CLASSIFICATION, SHAPES
+from ..sweep_addon.core.wording import titled
 from ..sweep_addon.presets import PRESETS, title
 from . import previews
 
@@ -65,9 +65,7 @@ class VIEW3D_MT_sweep_selected(Menu):
                 self.layout.operator("object.sweep_offset_selected", icon_value=previews.icon(shape))
                 continue
             name = spelled(shape, "_").upper()
-            chosen = self.layout.operator(
-                "object.sweep_selected", text=title_of(shape), icon_value=previews.icon(shape)
-            )
+            chosen = self.layout.operator("object.sweep_selected", text=titled(shape), icon_value=previews.icon(shape))
             chosen.shape = name
 
 

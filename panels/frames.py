@@ -9,8 +9,10 @@ made again only where the digest of a sweep is another.
 import bpy
 import numpy as np
 
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
+
+objects = later("bridge.objects")
 
 MOST_SWEEPS, MOST_POINTS = 16, 128  # that are shown; of a loop of a contour
 OUT = 2.5  # times the contour's largest distance from the path: how long an axis is

@@ -10,14 +10,14 @@ from ..operators.add_shape import idname
 from ..operators.convert import is_tube
 from ..operators.edit_as_curve import EDITABLE
 from ..operators.make_solid import OBJECT_OT_sweep_make_solid
-from ..sweep_addon.bridge import layout as declared_layout
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import parameters
 from ..sweep_addon.core.resolving import MEETING
 from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes import CLASSIFICATION
-from ..sweep_addon.properties.live import AWAITED
 from . import previews
+
+declared_layout, live, objects = later("bridge.layout"), later("properties.live"), later("bridge.objects")
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 PREVIEW = 2.6  # times as high as a line
@@ -141,7 +141,7 @@ def draw_solid(layout, sweep, group, say):
     """Whether it is to be a solid, and how far what takes long is."""
     if hasattr(group, "make_solid"):
         layout.prop(group, "make_solid")
-    if sweep.solid == AWAITED:
+    if sweep.solid == live.AWAITED:
         part = OBJECT_OT_sweep_make_solid.part()
         layout.progress(factor=part or 0.0, text="Esc stops it" if part is not None else "In a moment")
     elif sweep.solid:

@@ -5,11 +5,10 @@
 from dataclasses import replace
 from functools import lru_cache
 from math import tau
-from typing import NamedTuple
 
 import numpy as np
 
-from .contours import Circle, Contour, Fit, Section, fitted
+from .contours import Circle, Contour, Fit, fitted
 from .ends import End, Flat, Round, Taper
 from .frames import Frame, Frames, RotationMinimizing, axes
 from .later import later
@@ -18,7 +17,7 @@ from .morph import AS_THICK, Blend, Match, Morph
 from .parameters import angle, at, declared, parameter, require
 from .rails import Guided, Rail, Rails
 from .resolving import solid_option
-from .sampling import Count, Sampling, Stations, Tolerance, place
+from .sampling import Count, Sampling, Tolerance, place
 from .texture import Texture
 from .trajectories import Helix, Trajectory
 from .vectors import dot
@@ -26,6 +25,7 @@ from .vectors import dot
 caps, closing = later("core.caps"), later("core.closing")
 Along, tapers, tips = later("core.along", "Along", "tapers", "tips")
 fanned = later("core.bevels", "fanned")
+Body, Swept = later("core.body", "Body", "Swept")
 Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
 domes_of, with_domes = later("core.domes", "domes_of", "with_domes")
 affine, drawn = later("core.drawn", "affine", "drawn")
@@ -41,37 +41,6 @@ volume_true = later("core.volume_true", "volume_true")
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
 CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
-
-
-class Body(NamedTuple):
-    """The contours of a sweep at its stations, what closes it at the ends left out."""
-
-    section: Section  # as it is drawn: a mirrored one where the laws or the way mirror it
-    change: object  # the Changing that it begins, mirrored likewise; or None
-    rings: np.ndarray  # the middle of each and its two axes, scaled: (3, n, 3)
-    scales: np.ndarray  # along e2 and e3: (n, 2)
-    tips: np.ndarray  # which are a point: (n,) bool
-    backward: bool  # whether the middles run against the trajectory
-    told: tuple  # sentences for people
-
-    @property
-    def ends(self):
-        """The sections at the start and at the end."""
-        return self.change.ends if self.change else (self.section, self.section)
-
-
-class Swept(NamedTuple):
-    """A sweep before its vertices are multiplied out."""
-
-    stations: Stations
-    along: Along
-    symmetry: int  # in how many turns the section is mapped to itself
-    body: Body
-    rings: np.ndarray  # the middle of each and its axes, those of the domes among them: (3 or more, n, 3)
-    shape: np.ndarray  # the weights of the axes, that is the section's points: (m, 2 or more)
-    tips: np.ndarray  # which rings are a point: (n,) bool
-    chart: Chart
-    told: tuple  # sentences for people
 
 
 @declared

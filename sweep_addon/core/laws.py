@@ -6,6 +6,8 @@ Each is evaluated at samples given by the trajectory's own parameter u, by t fro
 A law is also made from what it holds: ``scale_x=0.5``, ``scale_x="1 - t/2"``, ``scale_x=[(0, 1), (1, 0.5)]``.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from .later import later
@@ -55,6 +57,7 @@ class Formula:
         compile(self.text, NAMES)
 
     @classmethod
+    @lru_cache(maxsize=16)
     def like(cls, law):
         """The formula that says what a constant does, or nothing."""
         return proven(cls, text=f"{law.value:g}") if isinstance(law, Constant) else None
@@ -93,9 +96,10 @@ class Points:
         require((np.diff(t) > CLOSEST).all(), "must have t rising from point to point", t.tolist())
 
     @classmethod
+    @lru_cache(maxsize=16)
     def like(cls, law):
         """The points that say what a constant does, or nothing."""
-        return cls([(0, law.value), (1, law.value)]) if isinstance(law, Constant) else None
+        return proven(cls, points=[(0, law.value), (1, law.value)]) if isinstance(law, Constant) else None
 
     @property
     def is_constant(self):

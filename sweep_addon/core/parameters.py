@@ -226,6 +226,8 @@ def changed(p, **words):
 
 def coerce(p, value):
     """The value that was meant, or a `ShapeError`."""
+    if p.type is float or p.type is int:
+        return coerce_number(p, value)
     if p.kinds:
         return coerce_kind(p, value)
     if isinstance(p.type, EnumMeta):
@@ -241,8 +243,6 @@ def coerce(p, value):
         require_few(p, sum(max(1, rows(item)) for item in value))
         part = replace(p, type=first)
         return tuple(coerce(part, item) for item in value)
-    if p.type in (int, float):
-        return coerce_number(p, value)
     require(isinstance(value, p.type), {bool: "must be true or false", str: "must be text"}[p.type], value)
     return value
 

@@ -8,14 +8,13 @@ from functools import lru_cache
 import numpy as np
 
 from . import generalized_cylinder
-from .cells import WIDEST_TURN
 from .contours import Circle, Contour, Fit, Rectangle
 from .directions import Cubic, Direction, Tilt
 from .frames import Frames, turn
 from .generalized_cylinder import ATTRIBUTES, section_of
 from .later import later
 from .limits import Flat, Limit, Open, Plane
-from .parameters import Array, ShapeError, at, declared, parameter, require
+from .parameters import Array, ShapeError, at, declared, parameter, proven, require
 from .resolving import solid_option
 from .sampling import Count, Sampling, Tolerance, place
 from .texture import Texture
@@ -23,7 +22,7 @@ from .trajectories import Bezier, Polyline, Trajectory
 from .vectors import norms
 from .wording import shown
 
-caps = later("core.caps")
+caps, cells = later("core.caps"), later("core.cells")
 Bending, Rings = later("core.bending", "Bending", "Rings")
 Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
 affine, drawn = later("core.drawn", "affine", "drawn")
@@ -70,7 +69,7 @@ class PDCurveSweep:
         Rectangle(0.3, 0.1), "What moves: a closed outline", others=AS_THICK, accepts=("CURVE", "FONT")
     )
     trajectory: Trajectory = parameter(
-        Bezier(), "The position p(t): the path of the contour", others=SMOOTH, accepts=("CURVE",)
+        proven(Bezier), "The position p(t): the path of the contour", others=SMOOTH, accepts=("CURVE",)
     )
     direction: Direction = parameter(
         Cubic(), "The direction d(t), to which the contour's x axis points", accepts=("CURVE", "EMPTY")
@@ -331,6 +330,6 @@ def stand(samples, trajectory, direction, reach):
 
     def steps(s, u, chord):
         rate = np.gradient(np.interp(s, *turn(direction, trajectory)), s)
-        return np.maximum(np.sqrt(reach * rate**2 / (8 * chord)), np.abs(rate) / WIDEST_TURN)
+        return np.maximum(np.sqrt(reach * rate**2 / (8 * chord)), np.abs(rate) / cells.WIDEST_TURN)
 
     return place(trajectory, samples, (), steps)

@@ -9,7 +9,6 @@ from math import ceil, copysign, pi, sin, sqrt, tau
 
 import numpy as np
 
-from .cells import WIDEST_BEND, chord_angle
 from .contours import Fit, Mixed, Outline, PlanarSet, all_fitted
 from .ends import Cap, Flat
 from .frames import Frames
@@ -20,7 +19,8 @@ from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
 from .self_intersection import PREFIX
 from .texture import Texture
 
-caps, in_plane, parting = later("core.caps"), later("core.in_plane"), later("core.parting")
+caps, cells = later("core.caps"), later("core.cells")
+in_plane, parting = later("core.in_plane"), later("core.parting")
 Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
 affine, drawn = later("core.drawn", "affine", "drawn")
 Grid = later("core.grid", "Grid")
@@ -145,7 +145,7 @@ class RotationalSweep:
     def surface(self, dtype=np.float64):
         """The surface that the contour leaves, also where it meets itself: a `Mesh`."""
         mesh, mixed = self.whole(dtype)
-        turned = ceil(abs(self.turn) / WIDEST_BEND)
+        turned = ceil(abs(self.turn) / cells.WIDEST_BEND)
         return finished(
             mesh, mixed, self.regularize, lambda few: replace(self, samples=Count(turned + few)).whole()[0], turned
         )
@@ -282,7 +282,7 @@ class RotationalSweep:
             require(steps >= least, sentence, self.samples.contours, "samples.contours")
         else:
             radius = max(float(np.abs(section.points[:, 0]).max()) for section in sections)
-            wanted = size / min(chord_angle(self.samples.chord, radius), WIDEST_BEND)
+            wanted = size / min(cells.chord_angle(self.samples.chord, radius), cells.WIDEST_BEND)
             most = f"must be larger: this turn takes {wanted:,.0f} contours of {MOST_STATIONS:,} at most"
             require(wanted <= MOST_STATIONS, most, self.samples.chord, "samples.chord")
             steps = max(ceil(wanted - WHOLE), 1)

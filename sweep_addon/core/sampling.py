@@ -7,7 +7,6 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from .cells import bend
 from .frozen import individual
 from .later import later
 from .parameters import Array, ShapeError, count, declared, length, parameter, require
@@ -15,6 +14,7 @@ from .trajectories.curve import SAME_DIRECTION, SHARPEST
 from .vectors import dot, norms, unit
 
 distinct, fewest, spread, spread_evenly = later("core.spreading", "distinct", "fewest", "spread", "spread_evenly")
+bend = later("core.cells", "bend")
 arc_length = later("core.trajectories.arc_length", "arc_length")
 
 __all__ = ["Count", "Sampling", "Tolerance"]

@@ -10,7 +10,6 @@ from math import atan, degrees, radians, tan
 import numpy as np
 
 from .contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
-from .draft import ALIKE, draft
 from .ends import Cap, Flat
 from .frames import Frames
 from .later import later
@@ -18,7 +17,7 @@ from .parameters import Array, ShapeError, angle, count, declared, length, param
 from .texture import Texture
 from .wording import shown
 
-caps, in_plane = later("core.caps"), later("core.in_plane")
+caps, draft, in_plane = later("core.caps"), later("core.draft"), later("core.in_plane")
 Chart, lengths_around = later("core.chart", "Chart", "lengths_around")
 affine, drawn = later("core.drawn", "affine", "drawn")
 Grid = later("core.grid", "Grid")
@@ -220,7 +219,7 @@ class TranslationalSweep:
         heights = np.linspace(low, high, self.steps + 1)
         if not self.is_drafted or low == 0:
             return heights
-        heights[1:-1][np.abs(heights[1:-1]) <= ALIKE * (high - low)] = 0.0  # but for rounding, also of the depth
+        heights[1:-1][np.abs(heights[1:-1]) <= draft.ALIKE * (high - low)] = 0.0  # but for rounding, also of the depth
         return np.union1d(heights, 0.0)
 
     @property
@@ -259,9 +258,9 @@ class TranslationalSweep:
             require(
                 not angle, "must be 0 where the contour has open curves or points, which have no inside", angle, key
             )
-        found = draft(section, tuple(slopes.tolist()), tuple(ends))
+        found = draft.draft(section, tuple(slopes.tolist()), tuple(ends))
         for height, reached, point in zip(ends, found.reached, found.points, strict=True):
-            if height > reached * (1 + ALIKE if point else 1):
+            if height > reached * (1 + draft.ALIKE if point else 1):
                 raise self.refusal(slopes, height, reached)
         return found
 

@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass
 from enum import Enum, EnumMeta
 from functools import cache, partial
 from math import floor, inf, isfinite, log10
-from types import UnionType
+from types import GenericAlias, UnionType
 from typing import get_args, get_origin
 
 import numpy as np
@@ -142,8 +142,8 @@ def typed(type_, told):
 
 def item_of(type_):
     """The declared class of which values of a type are lists, or None."""
-    inner = get_args(type_)
-    return inner[0] if get_origin(type_) is tuple and is_dataclass(inner[0]) else None
+    inner = type_.__args__ if isinstance(type_, GenericAlias) else ()
+    return inner[0] if inner and is_dataclass(inner[0]) else None
 
 
 def either(names):

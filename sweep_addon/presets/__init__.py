@@ -5,10 +5,9 @@
 Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.toml`` is ``screw_thread_m8``.
 """
 
-import re
 from functools import cached_property, lru_cache
-from glob import glob
-from os import sep
+from itertools import groupby
+from os import walk
 from pathlib import Path
 
 from ..core.frozen import frozen
@@ -46,15 +45,16 @@ def title(name):
 
 def found():
     """The presets in the order in which they are offered."""
-    parts = (path.split(sep) for path in glob("**/*.toml", root_dir=FOLDER, recursive=True))
+    folders = ((Path(path).relative_to(FOLDER).parts, files) for path, _, files in walk(FOLDER))
+    parts = ((*groups, file) for groups, files in folders for file in files if file.endswith(".toml"))
     for *groups, file in sorted(parts, key=counted):
         yield Preset(FOLDER.joinpath(*groups, file), "".join(groups), "_".join((*groups, file.removesuffix(".toml"))))
 
 
 def counted(parts):
     """The parts of a path to sort it by, numbers as numbers: m3 comes before m10."""
-    words = re.split(r"(\d+)", "/".join(parts))
-    return [(word.isdigit(), int(word) if word.isdigit() else word) for word in words]
+    words = ((number, "".join(word)) for number, word in groupby("/".join(parts), str.isdigit))
+    return [(number, int(word) if number else word) for number, word in words]
 
 
 PRESETS = tuple(found())

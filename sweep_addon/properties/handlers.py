@@ -5,10 +5,12 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.meshes import mark
-from ..bridge.objects import inputs, renders_otherwise
-from . import finding
-from .live import differs, rebuild, set_if_other
+from ..core.later import later
+
+mark = later("bridge.meshes", "mark")
+inputs, renders_otherwise = later("bridge.objects", "inputs", "renders_otherwise")
+finding = later("properties.finding")
+differs, rebuild, set_if_other = later("properties.live", "differs", "rebuild", "set_if_other")
 
 INPUTS = {"CURVE", "FONT", "EMPTY", "MESH"}
 
@@ -42,7 +44,7 @@ def after_frame(scene, depsgraph):
 @persistent
 def after_history(*_):
     """Undo, redo or a file bring meshes that may not have been looked at."""
-    if any(map(finding.is_due, sweeps())):
+    if any(finding.is_due(mesh) for mesh in sweeps()):
         finding.soon()
 
 

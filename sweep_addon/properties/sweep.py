@@ -8,11 +8,13 @@ Undo brings parameters and mesh back together, Shift-D copies both and Alt-D sha
 import bpy
 
 from ..bridge import rna
+from ..core.later import later
 from ..core.parameters import parameters, spelled
 from ..core.plain import VERSION
 from ..core.shapes import SHAPES
 from ..core.wording import summary
-from .live import rebuild
+
+rebuild = later("properties.live", "rebuild")
 
 
 def update(group, context):

@@ -22,7 +22,6 @@ from .rectangle import Rectangle
 from .region import Region
 from .regular_polygon import RegularPolygon
 from .screw_thread import ScrewThread
-from .section import Section
 from .star import Star
 from .superellipse import Superellipse
 
@@ -56,11 +55,11 @@ def __dir__():
     return __all__  # what a console offers
 
 
-LATER = {"from_svg": ".svg", "from_text": ".fonts", "offset": ".offsetting"}
+LATER = {"from_svg": ".svg", "from_text": ".fonts", "offset": ".offsetting", "Section": ".section"}
 
 
 def __getattr__(name):
-    # What reads files or asks manifold3d is loaded when it is asked for: most sweeps need neither.
+    # What reads files, asks manifold3d or only makes is loaded when it is asked for: declaring a sweep needs none.
     if name not in LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(LATER[name], __package__), name)

@@ -7,8 +7,10 @@ from enum import Enum
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length, parameter, require
-from .section import Section
+
+Section = later("core.contours.section", "Section")
 
 ROOT, FIRST, SECOND, THIRD = 0.2969, -0.126, -0.3516, 0.2843  # of the square root of x and of its powers
 OPEN, CLOSED = -0.1015, -0.1036  # of the fourth power

@@ -4,8 +4,10 @@
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length
-from .section import Section
+
+Section = later("core.contours.section", "Section")
 
 
 @declared

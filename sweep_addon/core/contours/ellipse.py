@@ -4,9 +4,11 @@
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length
 from .breadth import require_broad
-from .section import Section
+
+Section = later("core.contours.section", "Section")
 
 
 @declared

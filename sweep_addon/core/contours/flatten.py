@@ -6,7 +6,7 @@ import numpy as np
 
 from ..parameters import require
 from ..vectors import dot
-from .loops import MOST_POINTS
+from .outline import MOST_POINTS
 
 STEEPEST = np.radians(7.5)  # between a chord and the curve at its ends: two chords in a row turn by at most twice that
 SHORT = 1 / 8  # of the tolerance: a turn within a shorter chord is a corner

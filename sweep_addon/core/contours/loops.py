@@ -7,11 +7,11 @@ import numpy as np
 from ..later import later
 from ..parameters import LARGEST, ShapeError, require
 from ..runs import following, run_of
+from .outline import MOST_POINTS
 
 crossings = later("core.contours.crossing", "crossings")
 
 COINCIDENT = 1e-7  # of the size of all loops: what Blender's single precision cannot tell apart
-MOST_POINTS = 200_000  # of all loops together: what a second or two can check
 
 
 def joined(loops):

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..parameters import Array, declared, parameter, require
-from .loops import MOST_POINTS
+from .outline import MOST_POINTS
 
 BLOCK = ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))
 TAIL = ((0.5, 0.0), (1.0, 0.0))

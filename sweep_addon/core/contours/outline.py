@@ -8,13 +8,15 @@ import numpy as np
 
 from ..later import later
 from ..parameters import Array, at, declared, parameter, require
-from ..runs import following
-from .loops import MOST_POINTS, joined
-from .section import SHARP, Section
 
 apexes, arc_points, chords, segments, tangent_turns = later(
     "core.contours.arcs", "apexes", "arc_points", "chords", "segments", "tangent_turns"
 )
+joined = later("core.contours.loops", "joined")
+sections = later("core.contours.section")
+following = later("core.runs", "following")
+
+MOST_POINTS = 200_000  # of all loops together: what a second or two can check
 
 CORNERS = ((-0.5, -0.5), (0.5, -0.5), (0.5, -0.3), (-0.3, -0.3), (-0.3, 0.5), (-0.5, 0.5))
 
@@ -69,7 +71,7 @@ class Outline:
             return 0.0
         corners, offsets, bulges = self.edges()
         start, end = corners, corners[following(offsets)]
-        straight = Section(corners, offsets, np.zeros(len(corners), dtype=bool)).areas
+        straight = sections.Section(corners, offsets, np.zeros(len(corners), dtype=bool)).areas
         loops = np.abs(straight + np.add.reduceat(segments(start, end, bulges), offsets[:-1]))
         return float(loops @ np.where(self.section().depth % 2, -1, 1))
 
@@ -104,11 +106,11 @@ def flattened(outline):
     """The section of an outline; refuses loops that cross, touch or enclose nothing."""
     with at("loops"):
         if not outline.edges()[2].any():
-            return Section.from_loops(outline.loops, closed=outline.closed)
+            return sections.Section.from_loops(outline.loops, closed=outline.closed)
     raw, _ = chained(outline)
     cuts = raw.offsets[1:-1]
     with at("loops"):
-        return Section.from_loops(np.split(raw.points, cuts), np.split(raw.sharp, cuts), outline.closed)
+        return sections.Section.from_loops(np.split(raw.points, cuts), np.split(raw.sharp, cuts), outline.closed)
 
 
 def chained(outline):
@@ -122,10 +124,10 @@ def chained(outline):
     require(total <= MOST_POINTS, f"must be large enough to give at most {MOST_POINTS} points", total, "tolerance")
     first = np.cumsum([0, *count])
     sharp = np.zeros(total, dtype=bool)
-    sharp[first[:-1]] = np.abs(tangent_turns(start, end, bulges, following(offsets))) > SHARP
+    sharp[first[:-1]] = np.abs(tangent_turns(start, end, bulges, following(offsets))) > sections.SHARP
     if not outline.closed:
         sharp[first[offsets[:-1]]] = sharp[first[offsets[1:]] - 1] = False
-    raw = Section(arc_points(start, end, bulges, count), first[offsets], sharp, outline.closed)
+    raw = sections.Section(arc_points(start, end, bulges, count), first[offsets], sharp, outline.closed)
     return raw, np.repeat(np.tan(np.arctan(bulges) / count), count)
 
 

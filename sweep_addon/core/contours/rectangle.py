@@ -4,10 +4,12 @@
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length, parameter, require
 from .breadth import require_broad
-from .rounding import rounded, rounded_apexes
-from .section import Section
+
+rounded, rounded_apexes = later("core.contours.rounding", "rounded", "rounded_apexes")
+Section = later("core.contours.section", "Section")
 
 TOWARDS = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])  # the corners
 

@@ -7,9 +7,11 @@ from math import cos, pi, tan
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length, parameter, require
-from .rounding import rounded, rounded_apexes
-from .section import Section
+
+rounded, rounded_apexes = later("core.contours.rounding", "rounded", "rounded_apexes")
+Section = later("core.contours.section", "Section")
 
 
 class RadiusTo(Enum):

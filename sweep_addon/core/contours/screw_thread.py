@@ -6,8 +6,10 @@ from math import sqrt
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length, require
-from .section import Section
+
+Section = later("core.contours.section", "Section")
 
 DEPTH = 5 / 8 * sqrt(3) / 2  # of the pitch: five eighths of the height of the triangle
 PARTS = np.array([2, 5, 4, 5]) / 16  # of the pitch: crest, flank, root and the other flank

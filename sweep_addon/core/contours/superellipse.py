@@ -7,9 +7,11 @@ from math import gamma
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length, parameter
 from .breadth import require_broad
-from .section import SHARP, Section
+
+sections = later("core.contours.section")
 
 TABLE = 1 << 12  # steps of the integral that spaces the points
 
@@ -59,8 +61,8 @@ class Superellipse:
     def section(self):
         """The polygon as a `Section` of one loop, which begins on +x."""
         points = self.around(0.0)
-        even = Section(points, np.array([0, len(points)]), np.zeros(len(points), dtype=bool))
-        sharp = np.abs(even.turns) > max(SHARP, 1.5 * 2 * np.pi / len(points))
+        even = sections.Section(points, np.array([0, len(points)]), np.zeros(len(points), dtype=bool))
+        sharp = np.abs(even.turns) > max(sections.SHARP, 1.5 * 2 * np.pi / len(points))
         return replace(even, points=points * self.half, sharp=sharp)
 
     def apexes(self):

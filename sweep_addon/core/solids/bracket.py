@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The bracket, as a solid: an L that has moved along z."""
 
+from ..later import later
 from ..parameters import declared, length, require
-from .prism import prism
+
+prism = later("core.solids.prism", "prism")
 
 
 @declared

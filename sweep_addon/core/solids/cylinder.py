@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cylinder, as a solid."""
 
+from ..later import later
 from ..parameters import count, declared, length
-from .prism import prism
+
+prism = later("core.solids.prism", "prism")
 
 
 @declared

@@ -4,8 +4,10 @@
 
 import numpy as np
 
+from ..later import later
 from ..parameters import count, declared, length, require
-from .prism import prism
+
+prism = later("core.solids.prism", "prism")
 
 
 @declared
