@@ -18,7 +18,6 @@ from .core.general_sweep import GeneralSweep
 from .core.generalized_cylinder import GeneralizedCylinder
 from .core.offset_surface import OffsetSurface
 from .core.parameters import ShapeError
-from .core.pd_curve import PDCurve
 from .core.pd_curve_sweep import PDCurveSweep
 from .core.rotational_sweep import RotationalSweep
 from .core.translational_sweep import TranslationalSweep
@@ -54,6 +53,7 @@ if find_spec("bpy"):  # else `import *` would ask for what plain Python does not
 
 LATER = {
     "Mesh": ".core.mesh",
+    "PDCurve": ".core.pd_curve",
     "dump": ".core.forms",
     "load": ".batch.job",
     "to_object": ".bridge.objects",

@@ -120,11 +120,10 @@ def bound(cls, values, named):
     if len(values) > len(names):
         raise TypeError(f"{cls.__name__} takes at most {len(names)} values but got {len(values)}")
     given = dict(zip(names, values, strict=False))
-    for name in named:
-        if name not in names:
-            raise TypeError(f"{cls.__name__} has no parameter {name!r}: it has {', '.join(names) or 'none'}")
-        if name in given:
-            raise TypeError(f"{cls.__name__} got two values for {name!r}")
+    for name in named.keys() - names.keys():
+        raise TypeError(f"{cls.__name__} has no parameter {name!r}: it has {', '.join(names) or 'none'}")
+    for name in named.keys() & given.keys():
+        raise TypeError(f"{cls.__name__} got two values for {name!r}")
     return given | named
 
 
