@@ -4,9 +4,11 @@
 
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import objects
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.offset_surface import OffsetSurface
 from ..sweep_addon.core.parameters import ShapeError
+
+objects = later("bridge.objects")
 
 PART = 20  # of the size of a mesh is the radius, to begin with
 

@@ -79,6 +79,23 @@ def test_what_is_imported_later_is_there():
         assert [name for name in names if not hasattr(held, name)] == []
 
 
+def registering():
+    """What operators, panels and properties import of the bridge when Blender starts: a file, and a module."""
+    files = (file for part in ("operators", "panels") for file in LIBRARY.parent.glob(f"{part}/*.py"))
+    for file in (*files, LIBRARY / "properties/handlers.py", LIBRARY / "properties/sweep.py"):
+        for node in ast.parse(file.read_text(encoding="utf-8")).body:
+            path = (getattr(node, "module", None) or "").split(".")
+            if "bridge" in path:
+                names = path[1 + path.index("bridge") :] or [alias.name for alias in node.names]
+                yield from ((file.name, name) for name in names)
+
+
+def test_registering_imports_of_the_bridge_what_declares_properties_alone():
+    found = list(registering())
+    assert ("sweep.py", "rna") in found
+    assert [(file, name) for file, name in found if name != "rna"] == []
+
+
 def test_what_stands_for_a_class_knows_its_objects():
     array, error = later("core.parameters", "Array", "ShapeError")
     assert isinstance(array([1.0]), array) and not isinstance(array([1.0]), error)
