@@ -108,9 +108,9 @@ def defaults(cls):
 
 
 def altered(value, **named):
-    """A copy of which some fields are others; `dataclasses.replace` asks for each field and makes the value anew."""
+    """A copy of which some fields are others, on which nothing depends that was kept: that is known of the copy too."""
     copy = object.__new__(type(value))
-    copy.__dict__.update(zip(value.__dataclass_fields__, held(value), strict=True), **named)
+    copy.__dict__.update(value.__dict__, **named)
     return copy
 
 
