@@ -112,7 +112,7 @@ def test_an_empty_is_a_limiting_plane(scene):
     before = places(ob.data)
     plane.rotation_euler.y = np.pi / 2
     update()
-    assert ob.data.sweep.error.startswith("end: must cut ")  # along the path it does nowhere, or but for rounding far off
+    assert ob.data.sweep.error.startswith("end: must cut ")  # it cuts nowhere, or, but for rounding, far off
     assert np.array_equal(places(ob.data), before)
 
 
