@@ -28,18 +28,34 @@ def triangles(ob, depsgraph=None, scaled=True):
     ShapeError
         Where there is no face.
     """
-    if depsgraph is None and ob.modifiers:
-        depsgraph = bpy.context.evaluated_depsgraph_get()
-    mesh = ob.evaluated_get(depsgraph).data if depsgraph else ob.data
+    if is_as_shown(ob):
+        vertices, faces = arrays(ob.data, ob)
+    else:
+        shown = ob.evaluated_get(depsgraph or bpy.context.evaluated_depsgraph_get())
+        try:
+            vertices, faces = arrays(shown.to_mesh(), ob)
+        finally:
+            shown.to_mesh_clear()
+    scale = np.array(ob.scale, dtype=float) if scaled else np.ones(3)
+    faces = faces.reshape(-1, 3)[:, :: 1 if scale.prod() > 0 else -1]
+    used, faces = np.unique(faces, return_inverse=True)  # loose vertices are no part of a surface
+    return Triangles(vertices.reshape(-1, 3)[used] * scale, faces.reshape(-1, 3))
+
+
+def is_as_shown(ob):
+    """Whether a mesh is shown as its data are: nothing deforms it, nothing moves its keys, and nobody edits it."""
+    moved = ob.modifiers or ob.data.shape_keys or ob.data.animation_data or ob.parent_type not in ("OBJECT", "BONE")
+    return not moved and not ob.data.is_editmode
+
+
+def arrays(mesh, ob):
+    """The vertices (3 n,) float32 and the triangles (3 t,) int32 of the mesh of an object."""
     mesh.calc_loop_triangles()
     require(len(mesh.loop_triangles), "must be a mesh with faces", ob.name)
     vertices, faces = np.empty(3 * len(mesh.vertices), np.float32), np.empty(3 * len(mesh.loop_triangles), np.int32)
     mesh.attributes["position"].data.foreach_get("vector", vertices)
     mesh.loop_triangles.foreach_get("vertices", faces)
-    scale = np.array(ob.scale, dtype=float) if scaled else np.ones(3)
-    faces = faces.reshape(-1, 3)[:, :: 1 if scale.prod() > 0 else -1]
-    used, faces = np.unique(faces, return_inverse=True)  # loose vertices are no part of a surface
-    return Triangles(vertices.reshape(-1, 3)[used] * scale, faces.reshape(-1, 3))
+    return vertices, faces
 
 
 def require_apart(mesh, ob):

@@ -102,7 +102,10 @@ class Motion:
         """Where points of the generator, (n, 3), are in a pose each: (n, 3)."""
         if self.deforms:
             known = dict(zip("xyz", points.T, strict=True)) | {name: getattr(poses, name) for name in "tus"}
-            points = np.stack([compile(formula, PLACES).evaluate(**known) for formula in self.formulas], axis=1)
+            points = points.copy()
+            for axis, formula in enumerate(self.formulas):
+                with at(f"deform_{'xyz'[axis]}"):
+                    points[:, axis] = compile(formula, PLACES).evaluate(**known)
         return np.einsum("nij,nj->ni", poses.matrix, points) + poses.origin
 
     def deformed(self, points, poses):

@@ -7,7 +7,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import add, curve, extent, places
+from scenes import add, curve, extent, places, select
 
 import sweep_addon as sw
 from sweep_addon.bridge import objects
@@ -137,3 +137,33 @@ def test_in_a_window_a_coarse_mesh_stands_until_the_fine_one_is_made(scene, monk
 def test_a_planar_generator_does_not_wait(scene, monkeypatch):
     monkeypatch.setattr(live, "waits", lambda depsgraph: True)
     assert general(square()).data.sweep.solid == ""
+
+
+def test_a_mesh_that_is_edited_is_followed(scene):
+    model = square()
+    ob = general(model)
+    select(model)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.transform.resize(value=(2, 2, 2))
+    update()
+    assert ob.data.sweep.error == "" and extent(ob) == pytest.approx((2, 2, 1))
+    ob.data.sweep.general_sweep.trajectory_line_end = (0, 0, 3)  # read without a depsgraph, as the sidebar does
+    assert ob.data.sweep.error == "" and extent(ob) == pytest.approx((2, 2, 3))
+    bpy.ops.object.mode_set(mode="OBJECT")
+    update()
+    assert extent(ob) == pytest.approx((2, 2, 3))
+
+
+def test_shape_keys_of_the_model_are_followed_whoever_asks(scene):
+    model = square()
+    model.shape_key_add(name="Basis")
+    key = model.shape_key_add(name="large")
+    for point in key.data:
+        point.co *= 2
+    ob = general(model)
+    key.value = 1.0
+    update()
+    assert extent(ob) == pytest.approx((2, 2, 1))
+    ob.data.sweep.general_sweep.trajectory_line_end = (0, 0, 3)
+    assert extent(ob) == pytest.approx((2, 2, 3))

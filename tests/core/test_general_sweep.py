@@ -268,6 +268,44 @@ def test_random_motions_of_figures_are_closed_manifold_and_outward():
         assert mesh.euler_characteristic() == 2
 
 
+def test_poses_without_a_size_are_left_out_and_a_solid_that_has_none_is_refused():
+    tip = GeneralSweep(CUBE, Line(), cells=24, **{f"scale_{axis}": "1 - t" for axis in "xyz"})
+    assert_solid(tip.mesh(), 2)
+    with pytest.raises(ShapeError, match="^scale_x: must not be 0 everywhere"):
+        GeneralSweep(CUBE, Line(), scale_x=0.0).mesh()
+
+
+def test_axes_scaled_by_different_factors_leave_faces_where_they_are():
+    """The sides of a block that is scaled by 0.5 and 0.02 are at 0.25, to a hundredth of a cell."""
+    shape = GeneralSweep(Block(1.0, 1.0, 1.0), Line(), scale_x=0.5, scale_z=0.02, cells=32)
+    mesh, (_, _, step) = shape.mesh(), shape.swept().close
+    assert mesh.vertices[:, 0].max() == pytest.approx(0.25, abs=0.01 * step)
+    assert mesh.vertices[:, 0].min() == pytest.approx(-0.25, abs=0.01 * step)
+
+
+def test_a_solid_that_bends_out_of_its_box_is_held():
+    rod = GeneralSweep(Block(0.2, 0.2, 2.0), Line(end=(0, 2, 0)), deform_x="x + 0.5*cos(pi*z/2)", cells=32)
+    mesh = rod.mesh()
+    assert_solid(mesh, 2)
+    assert mesh.vertices[:, 0].max() == pytest.approx(0.6, abs=0.02)
+
+
+@pytest.mark.parametrize("flat", [np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0.0)])])
+def test_a_body_that_holds_nothing_is_refused(flat):
+    with pytest.raises(ShapeError, match="^generator: must hold something"):
+        GeneralSweep(Triangles(flat, [(0, 1, 2), (0, 2, 1)]), Line()).mesh()
+
+
+def test_a_figure_that_is_turned_inside_out_is_told():
+    found = GeneralSweep(Rectangle(1.0, 1.0), Line(), scale_x="1 - 2*t", samples=Count(9)).self_intersections()
+    assert [place.kind for place in found][:1] == ["local"]
+
+
+def test_a_figure_that_moves_within_its_plane_says_so():
+    assert "within its own plane" in GeneralSweep(Circle(0.2)).mesh().told[0]
+    assert GeneralSweep(Circle(0.2), frame="rotation-minimizing").mesh().told == ()
+
+
 # Regions
 
 
@@ -297,6 +335,10 @@ def test_a_region_is_carried_by_the_frame():
     mesh = GeneralSweep(Region("x^2 + y^2 - 0.04"), Arc(), frame="rotation-minimizing", cells=128).mesh()
     assert mesh.volume() == pytest.approx(0.04 * pi * pi, rel=1e-2)
     assert np.hypot(*mesh.vertices[:, :2].T).max() == pytest.approx(1.2, abs=1e-3)
+
+
+def test_a_region_that_runs_backward_looks_outward():
+    assert GeneralSweep(Region(), Line(end=(0, 0, -1)), cells=32).mesh().volume() > 0.05
 
 
 # Refusals

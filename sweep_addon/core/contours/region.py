@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..later import later
-from ..parameters import declared, length, parameter, require
+from ..parameters import at, declared, length, parameter, require
 
 compile = later("core.expressions", "compile")
 
@@ -36,7 +36,8 @@ class Region:
 
     def check(self):
         """Refuse what is no such expression, or nowhere negative, or negative at the rim of the square."""
-        compile(self.formula, NAMES)
+        with at("formula"):
+            compile(self.formula, NAMES)
         side = np.linspace(-self.size / 2, self.size / 2, LOOKED_AT)
         x, y, t = np.meshgrid(side, side, np.linspace(0, 1, LOOKED_AT), indexing="ij")
         values = self.evaluate(x, y, t)
@@ -46,4 +47,5 @@ class Region:
 
     def evaluate(self, x, y, t):
         """The formula at x, y in metres and t from 0 to 1: a float array as large as these together."""
-        return compile(self.formula, NAMES).evaluate(x=x, y=y, t=t)
+        with at("formula"):
+            return compile(self.formula, NAMES).evaluate(x=x, y=y, t=t)

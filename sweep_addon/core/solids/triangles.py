@@ -27,8 +27,9 @@ class Triangles:
     )
 
     def check(self):
-        """Refuse numbers of vertices that are not there."""
+        """Refuse less than one triangle, and numbers of vertices that are not there."""
         faces = self.faces.values
+        require(len(faces), "must have a triangle", len(faces), "faces")
         wrong = (faces % 1 != 0) | (faces < 0) | (faces >= len(self.vertices))
         if wrong.any():
             require(False, f"must be whole numbers below {len(self.vertices)}", float(faces[wrong][0]), "faces")

@@ -14,9 +14,10 @@ from ..generalized_cylinder import section_of
 from ..grid import Grid
 from ..mesh import Mesh, require_few
 from ..trajectories.arc_length import arc_length
-from ..vectors import norms, unit
+from ..vectors import dot, norms, unit
 
 MOST = 257  # places in which it is looked at which way a contour that is deformed runs
+FLAT = 1e-9  # of the cube of its size
 ROUNDING = 1e-9  # of the longest way in a step
 
 
@@ -66,19 +67,32 @@ class Planar:
         else:
             rings = np.stack((poses.origin, *poses.matrix[..., :2].transpose(2, 0, 1)))
             vertices = drawn(grid, affine(section.points * across), rings, dtype)
-        return Mesh(vertices, grid.topology(), chart, poses.told)
+        return Mesh(vertices, grid.topology(), chart, poses.told + self.told)
+
+    @property
+    def told(self):
+        """A sentence where its area passes no space."""
+        flat = self.section.closed and np.abs(self.passed).sum() <= FLAT * self.section.size**3
+        said = "Generator: it moves within its own plane, and sweeps no volume: turn it, or choose a frame."
+        return (said,) if flat else ()
 
     def runs_backward(self):
         """Whether its area passes more space with its back ahead than with its front."""
+        return bool(self.passed.sum() < 0)
+
+    @cached_property
+    def passed(self):
+        """Roughly the space that its area passes in each step, negative where its back is ahead: (n - 1,)."""
         poses, _ = self.stood
         some = poses.thinned(MOST) if self.motion.deforms else poses
         if self.motion.deforms:
             points = self.motion.posed(raised(self.section.points), some)
-            areas, middles = np.cross(points, points[:, self.section.following]).sum(axis=1), points.mean(axis=1)
+            areas, middles = np.cross(points, points[:, self.section.following]).sum(axis=1) / 2, points.mean(axis=1)
         else:
             areas = np.cross(some.matrix[..., 0], some.matrix[..., 1])
             middles = some.origin + some.matrix[..., :2] @ self.section.centroid
-        return bool(np.einsum("ni,ni->", areas[1:] + areas[:-1], np.diff(middles, axis=0)) < 0)
+            areas *= abs(self.section.area)
+        return dot(areas[1:] + areas[:-1], np.diff(middles, axis=0)) / 2
 
     def folds(self):
         """The steps in which a part of the contour moves back against the rest, or all of it against its way before.
@@ -97,6 +111,7 @@ class Planar:
         rates = np.einsum("nmi,ni->nm", ways, normals[1:] + normals[:-1])
         rates *= -1 if self.runs_backward() else 1
         wrong = (rates < -ROUNDING * norms(ways).max(initial=0.0)).any(axis=1)
+        wrong |= dot(normals[1:], normals[:-1]) < 0  # it was turned inside out
         edges = np.flatnonzero(np.diff(np.concatenate(([False], wrong, [False]))))
         return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 

@@ -11,6 +11,7 @@ from ..trajectories.arc_length import arc_length
 from ..vectors import norms, unit
 from .planar import raised
 
+QUICK = 160  # cells of what is made in a tenth of a second or two
 SLOPED = 33  # places along each side where it is looked at how steep the formula is
 ROOM = 1.25  # for what is steeper between them
 DIFFERENCE = 1e-6  # of the size: over which slopes are taken
@@ -34,13 +35,19 @@ class Changing:
         step = max(self.region.size, total) / self.shape.cells
         found = level_set(OverTheWay(self.region, total), (-half, -half, 0.0), (half, half, total), step)
         require(found is not None, "must be so many that a part of the region holds one", self.shape.cells, "cells")
-        return polyhedron(self.placed(found.vertices.places).astype(dtype), found.triangles)
+        made = polyhedron(self.placed(found.vertices.places).astype(dtype), found.triangles)
+        return made if made.volume() > 0 else polyhedron(made.vertices, found.triangles[:, ::-1])  # it ran backward
 
     def placed(self, points):
         """Points of x, y and the way (n, 3) where the motion takes them: (n, 3)."""
         s, which = np.unique(np.append(0.0, points[:, 2].clip(0.0, self.total)), return_inverse=True)
         poses = self.motion.at(s).only(which.ravel()[1:])
         return self.motion.each(raised(points[:, :2]), poses)
+
+    @property
+    def is_solid(self):
+        """Whether it takes long."""
+        return self.shape.cells > QUICK
 
     def solid(self, progress=None):
         """The mesh."""

@@ -6,8 +6,9 @@ from functools import cached_property
 
 import numpy as np
 
+from ..offsets.dual import TornError
 from ..offsets.level_set import level_set
-from ..parameters import require
+from ..parameters import ShapeError, require
 from ..polyhedron import polyhedron
 from ..runs import backward
 from ..trajectories.arc_length import arc_length
@@ -15,7 +16,10 @@ from ..vectors import norms
 from .field import Field
 from .visited import Visited
 
-FEWEST, MOST = 33, 16_385  # poses
+FEWEST, FEW, MOST = 33, 385, 8192  # poses, of few cells and of many
+QUICK = 20  # cells of a sweep that is to be made at once
+FLATTEST = 1e-9  # of the cube about it, or of the largest pose: less is no volume
+ALONG = 9  # points along each side of the box around a solid that is deformed
 CLOSE = 0.25  # of a cell: how far the solid moves at most from pose to pose
 ASKED = 20  # points for each square of a cell across, as a rule
 MARGIN = 1.05  # where there are more, the rest is said to be a part of what was done
@@ -36,16 +40,22 @@ class Solid:
         self.shape, self.motion = shape, shape.motion
         wrong = len(generator.non_manifold_edges())
         require(not wrong, "must be closed and manifold, or a surface", f"{wrong} non-manifold edges", "generator")
-        self.generator = generator if generator.volume() > 0 else turned_over(generator)
+        volume, size = generator.volume(), float(np.ptp(generator.vertices, axis=0).max())
+        require(abs(volume) > FLATTEST * size**3, "must hold something", volume, "generator")
+        self.generator = generator if volume > 0 else turned_over(generator)
 
     is_solid = True
 
     def mesh(self, dtype=np.float64, progress=None):
         poses, back, step = self.close
         corners = self.motion.posed(self.some, poses)
+        room = step if self.motion.deforms else 0.0
         visited = Visited(Field.of(self.generator, step / 2), self.motion, poses, back)
         visited.told = progress and Told(progress, ASKED * self.shape.cells**2)
-        found = level_set(visited, corners.min(axis=(0, 1)), corners.max(axis=(0, 1)), step)
+        try:
+            found = level_set(visited, corners.min(axis=(0, 1)) - room, corners.max(axis=(0, 1)) + room, step)
+        except TornError as torn:
+            raise ShapeError("must be a body that neither crosses itself nor is pressed flat", "generator") from torn
         require(found is not None, "must be so many that a part of the sweep holds one", self.shape.cells, "cells")
         places = found.vertices.places.astype(dtype)
         return polyhedron(places, found.triangles, told=(*poses.told, said(found, visited, step)))
@@ -60,7 +70,11 @@ class Solid:
         vertices = self.generator.vertices
         extreme = [vertices[:, axis].argsort()[[0, -1]] for axis in range(3)]
         spread = np.linspace(0, len(vertices) - 1, FOLLOWED).round().astype(int)
-        return vertices[np.unique(np.concatenate((*extreme, spread)))]
+        found = vertices[np.unique(np.concatenate((*extreme, spread)))]
+        if not self.motion.deforms:
+            return found
+        sides = np.linspace(vertices.min(axis=0), vertices.max(axis=0), ALONG).T  # what lies between bends too
+        return np.concatenate((found, np.stack(np.meshgrid(*sides, indexing="ij"), axis=-1).reshape(-1, 3)))
 
     @cached_property
     def close(self):
@@ -71,9 +85,13 @@ class Solid:
             places = self.motion.posed(self.some, poses)
             step = float(np.ptp(places, axis=(0, 1)).max()) / self.shape.cells
             longest = norms(np.diff(places, axis=0)).max()
-            count = int(np.clip(longest * (len(places) - 1) / (CLOSE * step), FEWEST, MOST)) + 1
+            most = MOST if self.shape.cells > QUICK else FEW
+            count = int(np.clip(longest * (len(places) - 1) / (CLOSE * step), FEWEST, most)) + 1
             poses = self.evenly(count, total, back)
-        return poses, back, step
+        sizes = np.abs(np.linalg.det(poses.matrix))
+        kept = sizes > FLATTEST * sizes.max()  # in a pose without a size it visits nothing more
+        require(kept.any(), "must not be 0 everywhere", 0.0, "scale_x")
+        return poses if kept.all() else poses.only(kept), back, step
 
     def evenly(self, count, total, back):
         """Poses evenly spaced by arc length; one that comes back stands there once."""

@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..motion import Poses
 from ..vectors import dot, norms, unit
 
 FAN = 4  # parts of a stretch
@@ -100,7 +101,7 @@ class Visited:
     def off(self, vertices):
         """How far some `Vertices` are found to be from the surface: outside from the nearest pose, inside as deep."""
         times = self.nearer(vertices.places, vertices.hints[:, 0])
-        return np.maximum(np.abs(vertices.values), -self.distances(vertices.places, times))
+        return np.maximum(np.abs(vertices.values), -self.exact(vertices.places, times)[0])
 
     def searched(self, points, hints=None):
         """The values to within the field's error, and the times of the nearest poses: two (n,)."""
@@ -162,53 +163,70 @@ class Visited:
         """Times within the motion."""
         return time % len(self.scales) if self.closed else np.clip(time, 0, len(self.scales) - 1)
 
-    def posed(self, points, time):
-        """Points (n, 3) as a solid at times (n,) has them, between the poses beside; how they are turned; and scales.
-
-        What a deformation takes nowhere near is farther by as much.
-        """
+    def between(self, time):
+        """A function of values in all poses, (n, ...), that gives those at times, (k,): between the poses beside."""
         first = np.minimum(time.astype(int), len(self.scales) - 1)  # also of a number of a pose itself
         second = (first + 1) % len(self.scales) if self.closed else np.minimum(first + 1, len(self.scales) - 1)
         part = time - first
 
-        def between(values):
+        def at(values):
             if time.dtype.kind == "i":
                 return values[first]
-            share = part.reshape(-1, *(1,) * (values.ndim - 1))
-            return values[first] + share * (values[second] - values[first])
+            return values[first] + part.reshape(-1, *(1,) * (values.ndim - 1)) * (values[second] - values[first])
 
-        inverse, scale = between(self.inverses), np.minimum(self.scales[first], self.scales[second])
-        places, missed = np.einsum("nij,nj->ni", inverse, points - between(self.poses.origin)), 0.0
+        return at
+
+    def posed(self, points, time):
+        """Points (n, 3) as a solid at times (n,) has them; how they are turned; and how far some are from any of it.
+
+        What a deformation takes nowhere near is farther by as much.
+        """
+        at = self.between(time)
+        inverse = at(self.inverses)
+        places, missed = np.einsum("nij,nj->ni", inverse, points - at(self.poses.origin)), 0.0
         if self.motion.deforms:
-            known = {name: between(getattr(self.poses, name)) for name in "tus"}
-            places, missed = self.motion.undeformed(places, **known)
-        return places, inverse, scale, missed
+            places, missed = self.motion.undeformed(places, **{name: at(getattr(self.poses, name)) for name in "tus"})
+        return places, inverse, missed
 
     def rough(self, points, time):
-        """The distance from the solid at times, by interpolation."""
-        places, _, scale, missed = self.posed(points, time)
-        return scale * self.field.rough(places) + missed
+        """The distance from the solid at times, by interpolation, or less."""
+        places, _, missed = self.posed(points, time)
+        return self.between(time)(self.scales) * self.field.rough(places) + missed
 
     def distances(self, points, times):
-        """The exact distance from the solid at times: (n,)."""
-        places, _, scale, missed = self.posed(points, times)
-        return scale * self.field.exact(places)[0] + missed
+        """How far points are from the solid at times: (n,).
+
+        That is from where its own nearest place is then: a little farther than they are, where axes are scaled by
+        different factors.
+        """
+        places, _, missed = self.posed(points, times)
+        values, normals = self.field.exact(places)
+        at = self.between(times)
+        then = Poses(*(at(part) for part in self.poses[:-1]), ())
+        nearest = self.motion.each(places - values[:, None] * normals, then)
+        return np.sign(values) * norms(points - nearest) + missed
 
     def exact(self, points, times):
-        """The distance from the solid at times, and its normals there: (n,), (n, 3)."""
-        places, inverse, scale, missed = self.posed(points, times)
-        values, normals = self.field.exact(places)
-        if self.motion.deforms:
-            return scale * values + missed, self.sloped(points, times)
-        return scale * values, unit(np.einsum("nij,ni->nj", inverse, normals))
+        """The distance from the solid at times, and its normals there: (n,), (n, 3).
 
-    def sloped(self, points, times):
-        """The normals of a deformed solid, by differences of its distance at times that are kept."""
+        Where axes are scaled by different factors it is that to first order: the value over its slope.
+        """
+        if self.motion.deforms:
+            values, slopes = self.distances(points, times), self.slopes(points, times)
+        else:
+            places, inverse, _ = self.posed(points, times)
+            values, normals = self.field.exact(places)
+            slopes = np.einsum("nij,ni->nj", inverse, normals)
+        steep = norms(slopes)
+        return values / np.where(steep > 0, steep, 1.0), unit(slopes)
+
+    def slopes(self, points, times):
+        """The slopes of the distance from a deformed solid, by differences at times that are kept: (n, 3)."""
         step, slopes = DIFFERENCE * self.field.step, np.empty((len(points), 3))
         for axis in range(3):
             ahead, behind = (self.distances(points + side * step * np.eye(3)[axis], times) for side in (1, -1))
-            slopes[:, axis] = ahead - behind
-        return unit(slopes)
+            slopes[:, axis] = (ahead - behind) / (2 * step)
+        return slopes
 
 
 def least_stretch(motion, points, poses):
