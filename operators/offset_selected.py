@@ -31,7 +31,10 @@ class OBJECT_OT_sweep_offset_selected(Operator):
     def execute(self, context):
         ob = context.active_object
         try:
-            shape = OffsetSurface(radius=(max(ob.dimensions) or 1.0) / PART)
+            size = max(
+                max(places) - min(places) for places in zip(*ob.bound_box, strict=True)
+            )  # not scaled, as the offset is
+            shape = OffsetSurface(radius=(size or 1.0) / PART)
             mesh = objects.new_mesh(shape, objects.title(OffsetSurface), body=ob)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))

@@ -79,7 +79,8 @@ class OffsetSurface:
     @property
     def make_solid(self):
         """Whether the mesh takes so long that in a window a rough one stands until it is made."""
-        return len(self.body.mesh().offsets) > QUICK
+        fine = self.tolerance > 0 or self.engine is Engine.LEVEL_SET
+        return fine or len(self.body.mesh().offsets) > QUICK
 
     def surface(self, dtype=np.float64):
         """Roughly the mesh, at once: the vertices of the body moved along their normals. It may cross itself."""

@@ -52,6 +52,7 @@ def test_the_active_mesh_is_offset_where_it_stands(scene):
     bpy.context.view_layer.update()
     assert ob.parent == model and objects.inputs(ob.data) == {"body": model}
     radius = ob.data.sweep.offset_surface.radius
+    assert radius == pytest.approx(0.4 / 20)
     assert extent(ob) == pytest.approx([0.4 + 2 * radius] * 3, abs=1e-4)  # in the mesh's own space, which is scaled
     assert ob.matrix_world.translation[:] == pytest.approx((1, 2, 3))
 

@@ -12,8 +12,11 @@ from sweep_addon.core.contours import Circle, Star
 from sweep_addon.core.distance import Tree, nearest
 from sweep_addon.core.facets import facets
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.offset_surface import OffsetSurface
+from sweep_addon.core.offsets.band import narrow_band
 from sweep_addon.core.offsets.convex import is_convex
 from sweep_addon.core.offsets.crossings import crossing_pairs
+from sweep_addon.core.offsets.implicit import Implicit
 from sweep_addon.core.offsets.offset import Engine, Side, offset
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.polyhedron import polyhedron
@@ -239,9 +242,59 @@ def test_refusals():
         offset(block, 0.6, Side.INSIDE)
     with pytest.raises(ShapeError, match="radius: must leave something"):
         offset(block, 0.5 * (1 - 1e-9), Side.INSIDE)
+    with pytest.raises(ShapeError, match="engine: must be another for a solid that is not convex, got 'convex'"):
+        offset(HOLLOW["bracket"], 0.1, engine=Engine.CONVEX)
     flipped = polyhedron(block.vertices, triangulated(block)[1][:, ::-1])
     with pytest.raises(ShapeError, match="must look outwards"):
         offset(flipped, 0.1)
+
+
+@pytest.mark.parametrize("name", ["block", *HOLLOW])
+def test_a_radius_is_at_least_a_ten_millionth_of_the_size(name):
+    solid = (CONVEX | HOLLOW)[name]
+    with pytest.raises(ShapeError, match="radius: must be at least .*, 1e-07 of the size of the body"):
+        offset(solid, 0.9e-7 * size(solid))
+    found = offset(solid, 1.1e-7 * size(solid), engine=Engine.ROUNDED_FACES)
+    assert_valid(found, euler=solid.euler_characteristic())
+
+
+@pytest.mark.parametrize("engine", [Engine.CONVEX, Engine.LEVEL_SET])
+@pytest.mark.parametrize("tolerance", [1e-17, 1e-12, 1e-9])
+def test_a_tolerance_that_takes_too_much_is_refused_before_anything_is_made(engine, tolerance):
+    """At 1e-9 m each would take more than 25 s and at 1e-12 m terabytes; what is told to do is near the limit."""
+    with pytest.raises(ShapeError, match="tolerance: must be at least .*e-0[67] for this radius") as refusal:
+        offset(Block(0.5, 0.5, 0.5).mesh(), 0.5, tolerance=tolerance, engine=engine)
+    assert float(refusal.value.sentence.split()[4]) > 1e-7
+
+
+def test_a_rod_is_not_taken_for_a_surface():
+    """From afar it is a line of cells, of which there are twice and not four times as many at each finer level."""
+
+    def rod(points):
+        return np.linalg.norm(points - np.clip(points, (0, 0, 0), (400, 0, 0)), axis=1) - 0.1
+
+    band = narrow_band(Implicit(rod), (-0.1, -0.1, -0.1), (400.1, 0.1, 0.1), 0.05)
+    assert 400 * 2 * np.pi * 0.1 / 0.05**2 < len(band.cells) < 2 * 400 * 2 * np.pi * 0.1 / 0.05**2
+
+
+def test_a_tolerance_that_a_ball_of_64_meridians_does_not_keep_is_kept_by_the_level_set_or_told():
+    """A ball of 64 is cos(sqrt(2) pi / 64) of the radius within: 2.4e-3 of it off."""
+    solid, radius = HOLLOW["bracket"], 0.3
+    assert offset(solid, radius, tolerance=2.5e-3 * radius).engine == Engine.ROUNDED_FACES
+    assert offset(solid, radius, tolerance=2.3e-3 * radius).engine == Engine.LEVEL_SET
+    told = list(offset(solid, radius, tolerance=1e-6, engine=Engine.ROUNDED_FACES).told(radius))
+    assert told[1].startswith("The tolerance is not kept: arcs are up to 0.00072")
+
+
+def test_of_a_convex_offset_no_cells_are_told():
+    (_, told) = offset(CONVEX["block"], 0.5, tolerance=0.4).told(0.5)
+    assert told == "The tolerance is large beside the radius: a smaller tolerance makes the offset nearer."
+
+
+def test_a_rough_one_stands_until_a_fine_one_is_made():
+    block = Block(1.0, 1.0, 1.0)
+    assert not OffsetSurface(block).make_solid
+    assert OffsetSurface(block, tolerance=1e-3).make_solid and OffsetSurface(block, engine="level-set").make_solid
 
 
 def test_a_solid_that_crosses_itself_is_refused():

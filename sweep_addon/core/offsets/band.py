@@ -19,14 +19,30 @@ half a cell's diagonal at its centre tells that the zero is not in that cell. A 
 import numpy as np
 
 from ..frozen import individual
-from ..parameters import require
+from ..parameters import ShapeError
 
 COARSEST = 8  # cells along the longest side that the search begins with, or up to twice as many
 MOST_CORNERS = 30_000_000
+TO_SPARE = 1.25  # of a block within its offset a tenth more was found than a coarse level tells
+LIKE_A_SURFACE = 3  # times as many cells at each level: what grows less is still like a line, or a point
 HALF_DIAGONAL = np.sqrt(3) / 2 * (1 + 1e-9)
 CORNERS = np.array([(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)])  # of a cell; corner x + 2 y + 4 z
 LATTICE = np.array([(x, y, z) for z in (0, 1, 2) for y in (0, 1, 2) for x in (0, 1, 2)])  # of eight cells
 WITHIN = (CORNERS[:, None] + CORNERS) @ (1, 3, 9)  # the corners of each of eight cells among those of all
+
+
+class TooFineError(ShapeError):
+    """The band would have too many corners.
+
+    Attributes
+    ----------
+    step : float
+        With which it would not, with some to spare, as corners of finer levels are an estimate; in metres.
+    """
+
+    def __init__(self, corners, step):
+        super().__init__(f"must leave at most 30 million places to look at, got {corners}")
+        self.step = step * np.sqrt(TO_SPARE * corners / MOST_CORNERS)
 
 
 @individual
@@ -72,8 +88,8 @@ def narrow_band(field, low, high, step):
 
     Raises
     ------
-    ShapeError
-        Where the band would have more than 30 million corners.
+    TooFineError
+        Where the band would have more than 30 million corners: four times as many at each finer level.
 
     No cell is missed that has corners on both sides. What lies between the corners of the lattice is not seen: a part
     of the inside or outside within which no ball of 0.87 of the step fits may be absent.
@@ -90,13 +106,16 @@ def narrow_band(field, low, high, step):
     depth = max(int(np.ceil(np.log2(across.max() / COARSEST))) - 1, 1)
     shape = np.ceil(across / 2**depth).astype(int)
     cells = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3)
-    hints = None
+    hints, before = None, np.inf
     for level in range(depth, 0, -1):
         size = step * 2**level
         values, hints = field.evaluate(low + (cells + 0.5) * size, hints)
         kept = np.abs(values) <= HALF_DIAGONAL * size
         cells, values, hints = cells[kept], values[kept], hints[kept]
-        require(27 * len(cells) <= MOST_CORNERS, "must leave at most 30 million places to look at", 27 * len(cells))
+        corners = 27 * len(cells) * (4 ** (level - 1) if len(cells) > LIKE_A_SURFACE * before else 1)
+        if corners > MOST_CORNERS:
+            raise TooFineError(corners, step)
+        before = len(cells)
         if level > 1:
             cells = (2 * cells[:, None] + CORNERS).reshape(-1, 3)
             hints = np.repeat(hints, 8, axis=0)

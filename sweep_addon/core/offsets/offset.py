@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The boundary of what a ball visits that moves over the surface of a solid, by the engine that suits the solid."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..booleans import arrays
@@ -9,7 +11,10 @@ from ..facets import facets
 from ..frozen import individual
 from ..parameters import ShapeError, require
 from ..polyhedron import polyhedron
+from ..vectors import cross, dot, norms
+from ..wording import shown
 from .around import Around
+from .band import MOST_CORNERS, TooFineError
 from .choices import Engine, Side
 from .convex import convex_inset, convex_offset, is_convex
 from .dual import TornError
@@ -23,6 +28,11 @@ ACROSS = 64  # cells across, where nobody asks for a tolerance and the radius is
 ARC = 0.1  # radians between neighbours on arcs, where nobody asks for a tolerance
 SIDES = 16  # meridians of the ball, where nobody asks for a tolerance
 MOST_SIDES = 64
+MOST_DIRECTIONS = 1_000_000  # of domes: the hull of as many takes some seconds
+MOST_PRODUCTS = 20_000_000_000  # of directions and vertices
+PLACES = 27 * np.sqrt(3) / 4  # that are looked at for each square of a surface as large as a face of a cell
+UNSURE = 4  # how many times too many may seem to come from the area of the solid
+LEAST = 1e-7  # of the size of a solid is a radius: with less its faces are no longer apart
 ROUGH = 0.8  # of the radius: where faces come nearer than this, it is told how to do better
 RANGE = (0.005, 0.995)  # what 99 % of the triangles are between
 
@@ -44,6 +54,8 @@ class Offset:
         No point of a triangle is nearer to the surface of the solid, or farther from it, in metres: proved.
     crossing : int
         Pairs of triangles that cross each other.
+    tolerance : float
+        What was asked for, in metres; 0 is nothing.
 
     Examples
     --------
@@ -60,6 +72,7 @@ class Offset:
     lower: np.ndarray
     upper: np.ndarray
     crossing: int = 0
+    tolerance: float = 0.0
 
     def told(self, radius):
         """Sentences about the offset for people."""
@@ -69,7 +82,12 @@ class Offset:
         name = self.engine.name.lower().replace("_", " ")
         yield f"Offset by {name}, as {self.reason}: {between[0]} radii away, nowhere beyond {between[1]}."
         if bounds[0] < ROUGH * radius:
-            yield "The radius is small beside the cells: a smaller tolerance makes the offset nearer."
+            cells = self.engine == Engine.LEVEL_SET
+            large = "radius is small beside the cells" if cells else "tolerance is large beside the radius"
+            yield f"The {large}: a smaller tolerance makes the offset nearer."
+        if self.engine == Engine.ROUNDED_FACES and self.tolerance and meridians(radius, self.tolerance) > MOST_SIDES:
+            off = radius - bounds[0]
+            yield f"The tolerance is not kept: arcs are up to {off:.3g} m off, as a ball has {MOST_SIDES} meridians."
         if self.crossing:
             yield f"{self.crossing} pairs of faces cross each other: a smaller tolerance parts them."
 
@@ -100,7 +118,7 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
     ------
     ShapeError
         For a mesh that is not closed, or crosses itself so that its inside is not clear; inside where nothing is left
-        of the solid; for too small a tolerance.
+        of the solid; for too small a tolerance or radius; for an engine that is not for the solid.
     """
     open_edges, odd = mesh.boundary_edges(), mesh.non_manifold_edges()
     require(not len(open_edges), "must be closed", f"{len(open_edges)} open edges", "body")
@@ -108,32 +126,37 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
     volume = mesh.volume()
     require(volume > 0, "must look outwards and hold something", volume, "body")
     vertices, triangles = mesh.vertices, facets(mesh)[0].astype(np.int64)
-    engine, reason = chosen(engine, vertices, triangles, side)
+    least = LEAST * np.ptp(vertices, axis=0).max()
+    require(radius >= least, f"must be at least {least:.3g}, {LEAST:g} of the size of the body", radius, "radius")
+    engine, reason = chosen(engine, vertices, triangles, side, meridians(radius, tolerance))
     made = {Engine.CONVEX: by_hull, Engine.ROUNDED_FACES: by_faces, Engine.LEVEL_SET: by_level_set}[engine]
     found = made(vertices, triangles, radius, side, tolerance)
     require(len(found[1]), "must leave something of the solid inside", radius, "radius")
-    return Offset(*found[:2], engine, reason, *found[2:])
+    return replace(Offset(*found[:2], engine, reason, *found[2:]), tolerance=tolerance)
 
 
-def chosen(engine, vertices, triangles, side):
-    """The engine that suits a solid, and why."""
+def chosen(engine, vertices, triangles, side, around):
+    """The engine that suits a solid and the meridians of a ball that keep the tolerance, and why."""
+    convex = engine in (Engine.AUTOMATIC, Engine.CONVEX) and is_convex(vertices, triangles)
+    require(convex or engine != Engine.CONVEX, "must be another for a solid that is not convex", "convex", "engine")
     if engine != Engine.AUTOMATIC:
         return engine, "was asked for"
-    convex = is_convex(vertices, triangles)
     if convex and side == Side.OUTSIDE:
         return Engine.CONVEX, "the solid is convex"
     if not few_faces(vertices, triangles, FEW):
         return Engine.LEVEL_SET, f"the solid has more than {FEW} flat faces"
     if convex:
         return Engine.CONVEX, "the solid is convex"
+    if around > MOST_SIDES:
+        return Engine.LEVEL_SET, "rounded faces do not keep the tolerance"
     return Engine.ROUNDED_FACES, f"the solid has no more than {FEW} flat faces"
 
 
 def by_hull(vertices, triangles, radius, side, tolerance):
     """The offset of a convex solid."""
-    step = min(2 * np.arccos(max(1 - tolerance / radius, 0)) or ARC, 0.5)
     parts = []
     if side != Side.INSIDE:
+        step = arc(radius, tolerance, len(vertices))
         made = convex_offset(vertices, triangles, radius, step)
         parts.append((*made, least_distances(*made, radius, step), np.full(len(made[1]), radius)))
     if side != Side.OUTSIDE:
@@ -143,10 +166,27 @@ def by_hull(vertices, triangles, radius, side, tolerance):
     return together(parts)
 
 
+def arc(radius, tolerance, vertices):
+    """The angle between neighbours on arcs and domes that keeps the tolerance, unless domes would be too fine."""
+    least = np.sqrt(4 * np.pi / min(MOST_DIRECTIONS, MOST_PRODUCTS / vertices))  # as all are on the unit sphere
+    allowed = radius * (1 - np.cos(least / 2))
+    require(
+        not 0 < tolerance < allowed, f"must be at least {allowed * 1.01:.3g} for this radius", tolerance, "tolerance"
+    )
+    return min(2 * np.arccos(max(1 - tolerance / radius, 0)) if tolerance else ARC, 0.5)
+
+
+def meridians(radius, tolerance):
+    """How many of a ball keep the tolerance: a multiple of four, or infinite."""
+    if not tolerance:
+        return SIDES
+    half = np.arccos(max(1 - tolerance / radius, 0))
+    return max(4 * np.ceil(np.sqrt(2) * np.pi / half / 4), 8) if half else np.inf
+
+
 def by_faces(vertices, triangles, radius, side, tolerance):
     """The offset of a solid of few faces."""
-    around = np.sqrt(2) * np.pi / np.arccos(max(1 - tolerance / radius, 0)) if tolerance else SIDES
-    swept = rounded(vertices, triangles, radius, int(np.clip(4 * np.ceil(around / 4), 8, MOST_SIDES)))
+    swept = rounded(vertices, triangles, radius, int(min(meridians(radius, tolerance), MOST_SIDES)))
     grown, shrunk = offset_bodies(vertices, triangles, swept.body)
     *made, _ = arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
     count = len(made[1])
@@ -157,11 +197,16 @@ def by_level_set(vertices, triangles, radius, side, tolerance):
     """The offset of any solid."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     step = cells(radius, tolerance, (high - low).max())
+    sides = cross(*(vertices[triangles[:, i]] - vertices[triangles[:, 0]] for i in (1, 2)))
+    area = norms(sides).sum() / 2
+    if PLACES * area / step**2 > UNSURE * MOST_CORNERS:  # the search tree would also be too large
+        about = high - low + 2 * radius
+        raise too_fine(np.sqrt(PLACES * max(area, 2 * dot(about, np.roll(about, 1))) / MOST_CORNERS), radius, tolerance)
     parts, crossing = [], 0
     for outward in {Side.OUTSIDE: (True,), Side.INSIDE: (False,), Side.SHELL: (True, False)}[side]:
         field = Around(vertices, triangles, radius, outward, step)
         room = radius if outward else 0.0
-        surface = clear(field, low - room, high + room, step)
+        surface = clear(field, low - room, high + room, step, tolerance)
         if surface is not None:
             faces = surface.triangles if outward or side == Side.SHELL else surface.triangles[:, ::-1]
             parts.append((surface.vertices.places, faces, *field.interval(surface)))
@@ -169,14 +214,21 @@ def by_level_set(vertices, triangles, radius, side, tolerance):
     return *together(parts), crossing
 
 
-def clear(field, low, high, step):
+def clear(field, low, high, step, tolerance):
     """The level set of a field, refusals told of what people gave."""
     try:
         return level_set(field, low, high, step)
     except TornError as error:
         raise ShapeError("must not cross itself", "body") from error
-    except ShapeError as error:
-        raise ShapeError(error.sentence, "tolerance") from error
+    except TooFineError as error:
+        raise too_fine(error.step, field.radius, tolerance) from error
+
+
+def too_fine(step, radius, tolerance):
+    """The refusal of a tolerance that takes smaller cells than of a step."""
+    least = f"at least {1.01 * step**2 / (2 * radius):.3g}" if step <= radius / 2 else "0"
+    sentence = f"must be {least} for this radius, or there are too many cells, got {shown(tolerance)}"
+    return ShapeError(sentence, "tolerance")
 
 
 def cells(radius, tolerance, size):
