@@ -297,6 +297,19 @@ def test_a_rough_one_stands_until_a_fine_one_is_made():
     assert OffsetSurface(block, tolerance=1e-3).make_solid and OffsetSurface(block, engine="level-set").make_solid
 
 
+@pytest.mark.parametrize("engine", [Engine.AUTOMATIC, Engine.LEVEL_SET])
+def test_a_part_that_looks_inwards_is_a_cavity_or_refused(engine):
+    """The volume of both is positive, but a cube of 0.5 m turned inside out beside one of 1 m holds nothing."""
+    block = Block(1.0, 1.0, 1.0).mesh()
+    faces = triangulated(block)[1]
+    faces = np.concatenate((faces, faces[:, ::-1] + len(block.vertices)))
+    apart, within = (np.concatenate((block.vertices, 0.5 * block.vertices + place)) for place in ((3, 0, 0), (0, 0, 0)))
+    with pytest.raises(ShapeError, match="body: must look outwards where it is not a cavity of another, got 'part 2'"):
+        offset(polyhedron(apart, faces), 0.1, engine=engine)
+    found = offset(polyhedron(within, faces), 0.1, tolerance=0.005, engine=engine)
+    assert assert_valid(found, euler=4).volume() == pytest.approx(steiner(block, 0.1) - 0.3**3, rel=2e-3)
+
+
 def test_a_solid_that_crosses_itself_is_refused():
     thick = GeneralizedCylinder(Circle(1.1, points=32), TorusKnot(2, 3, major=2.0, minor=0.8), Count(60)).mesh()
     with pytest.raises(ShapeError, match="body: must not cross itself"):

@@ -20,6 +20,7 @@ from .convex import convex_inset, convex_offset, is_convex
 from .dual import TornError
 from .interval import enclosing
 from .level_set import level_set
+from .parts import inward_part
 from .rounded_union import few_faces, offset_bodies, rounded
 
 FEW = 600  # flat faces: a hull for each takes two to three milliseconds
@@ -126,6 +127,8 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
     volume = mesh.volume()
     require(volume > 0, "must look outwards and hold something", volume, "body")
     vertices, triangles = mesh.vertices, facets(mesh)[0].astype(np.int64)
+    wrong = inward_part(vertices, triangles)
+    require(not wrong, "must look outwards where it is not a cavity of another", f"part {wrong}", "body")
     least = LEAST * np.ptp(vertices, axis=0).max()
     require(radius >= least, f"must be at least {least:.3g}, {LEAST:g} of the size of the body", radius, "radius")
     engine, reason = chosen(engine, vertices, triangles, side, meridians(radius, tolerance))
