@@ -12,6 +12,8 @@ import bmesh
 import bpy
 import numpy as np
 
+from .face_offsets import write_face_offsets
+
 TEXTURE = "UVMap"
 NAMES = (TEXTURE,), ("u", "arc_length"), ("v",)  # of what each key of a chart stands for
 SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many: half a millisecond on each update
@@ -124,7 +126,7 @@ def write_topology(mesh, topology, vertices):
     mesh.edges.add(len(topology.edges))
     mesh.loops.add(len(topology.corners))
     mesh.polygons.add(len(topology.offsets) - 1)
-    mesh.polygons.foreach_set("loop_start", topology.offsets[:-1])
+    write_face_offsets(mesh, topology.offsets[:-1])
     write_joins(mesh, topology)
     attribute(mesh, "sharp_edge", "BOOLEAN", "EDGE").data.foreach_set("value", topology.sharp)
     attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
