@@ -9,11 +9,25 @@ from os import PathLike
 from pathlib import Path
 
 from ..core import description, forms
+from ..core.csg import NODES
 from ..core.frozen import frozen
-from ..core.parameters import ShapeError, angle, at, count, declared, from_table, parameter, parameters, require
+from ..core.parameters import (
+    ShapeError,
+    angle,
+    at,
+    count,
+    declared,
+    from_table,
+    parameter,
+    parameters,
+    require,
+    spelled,
+)
 from ..core.shapes import SHAPE_NAMES, SHAPES
 from .lines import line_of
 from .references import resolve, with_references
+
+DESCRIBED = SHAPE_NAMES | {spelled(node): node for node in NODES}  # what a job may be of
 
 
 class Engine(Enum):
@@ -148,9 +162,9 @@ def parse(text, folder):
         if not isinstance(picture, dict):
             raise ShapeError("must be a table, [render]")
         render = from_table({"render": Render}, {"kind": "render", **picture}, parameters)
-    shape = SHAPE_NAMES.get(name(table))
+    shape = DESCRIBED.get(name(table))
     resolved, files = resolve(parameters(shape), table, folder) if shape else (table, ())
-    return Job(forms.shape_of(SHAPES, resolved), render, digest(table, picture, files))
+    return Job(forms.shape_of(DESCRIBED.values(), resolved), render, digest(table, picture, files))
 
 
 def name(table):

@@ -8,7 +8,9 @@ from pathlib import Path
 
 from ..core import contours, solids, trajectories
 from ..core.corners import Corner, Mitre
+from ..core.csg.known import known
 from ..core.description import table_schema
+from ..core.operand import Operand
 from ..core.parameters import (
     ShapeError,
     at,
@@ -66,6 +68,9 @@ def resolve(declared, table, folder):
         if p.item:
             table = {**table, **items_resolved(p, table.get(p.name), folder, files)}
             continue
+        if p.type is Operand:
+            table = {**table, **operand_resolved(p, table.get(p.name), folder, files)}
+            continue
         reference = reference_of(p, table.get(p.name))
         if reference:
             with at(p.name):
@@ -73,6 +78,17 @@ def resolve(declared, table, folder):
             table = {**table, p.name: value}
             files.append(path)
     return table, tuple(files)
+
+
+def operand_resolved(p, operand, folder, files):
+    """The table of an operand with the references in it replaced; what is no such table is refused later."""
+    kind = operand.get("kind") if isinstance(operand, dict) else None
+    if not isinstance(kind, str) or kind not in known():
+        return {}
+    with at(p.name):
+        made, read_files = resolve(parameters(known()[kind]), operand, folder)
+    files.extend(read_files)
+    return {p.name: made}
 
 
 def items_resolved(p, items, folder, files):

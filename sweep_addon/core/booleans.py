@@ -80,6 +80,12 @@ def united(bodies):
     return manifold3d.Manifold.batch_boolean(list(bodies), manifold3d.OpType.Add)
 
 
+def combined(operation, body, other):
+    """The body of a union, an intersection or a difference of two bodies."""
+    named = {"union": body.__add__, "intersection": body.__xor__, "difference": body.__sub__}
+    return named[operation](other)
+
+
 def arrays(body):
     """The mesh of a body: vertices (n, 3), triangles (t, 3), and the number of the face of each, -1 for none, (t,)."""
     mesh = body.to_mesh64()

@@ -7,6 +7,7 @@ from enum import Enum
 import numpy as np
 
 from .laws import Constant, Law
+from .operand import Operand
 from .parameters import count, declared, parameter, require
 from .resolving import solid_option
 from .sampling import Sampling, Tolerance
@@ -28,7 +29,7 @@ class BallEnd(Enum):
 
 
 @declared
-class CanalSurface:
+class CanalSurface(Operand):
     """A ball of changing radius that moves along a trajectory, or a disc in a plane
 
     The surface is the true envelope of all balls. The ball at t(u) of radius r touches it in the circle about

@@ -104,6 +104,8 @@ def takes(p):
     if get_origin(p.type) is tuple:
         inner = get_args(p.type)
         return f"list of lists of {row}" if inner[1:] == (...,) else f"list of {len(inner)} numbers"
+    if hasattr(p.type, "coerced"):
+        return "shape, solid or tree"
     return {int: "whole number", float: "number", bool: "true | false", str: "text"}[p.type]
 
 
@@ -163,6 +165,8 @@ def type_schema(p):
     if p.item:
         table = table_of({q.name: value_schema(q) for q in parameters(p.item)}, summary(p.item))
         return {"type": "array", "items": table} | ({"maxItems": p.most} if isfinite(p.most) else {})
+    if hasattr(p.type, "coerced"):
+        return {"type": "object", "required": ["kind"]}
     if p.type is Array:
         row = {"type": "array", "items": {"type": "number"}, "minItems": p.columns, "maxItems": p.columns}
         most = {"maxItems": p.most} if isfinite(p.most) else {}

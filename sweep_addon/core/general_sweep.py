@@ -14,6 +14,7 @@ from .generalized_cylinder import ATTRIBUTES
 from .later import later
 from .laws import Law
 from .morph import AS_THICK
+from .operand import Operand
 from .parallel import Parallel
 from .parameters import angle, at, count, declared, parameter, require
 from .sampling import Sampling, Tolerance
@@ -35,7 +36,7 @@ MOTION, DEFORMATION = "Along the Path", "Deformation"
 
 
 @declared
-class GeneralSweep:
+class GeneralSweep(Operand):
     """Any generator, planar figure, surface or solid, in any motion, turned, scaled and deformed on the way
 
     A planar generator or a surface sweeps its surface: it stands at the start and at the end, and its boundary leaves

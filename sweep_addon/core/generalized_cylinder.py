@@ -14,6 +14,7 @@ from .frames import Frame, Frames, RotationMinimizing, axes
 from .later import later
 from .laws import Law
 from .morph import AS_THICK, Blend, Match, Morph
+from .operand import Operand
 from .parameters import angle, at, declared, parameter, require
 from .rails import Guided, Rail, Rails
 from .resolving import solid_option
@@ -44,7 +45,7 @@ CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge
 
 
 @declared
-class GeneralizedCylinder:
+class GeneralizedCylinder(Operand):
     """A contour that moves along a trajectory, scaled, turned and moved aside on the way
 
     The contour's own x and y axes lie along e2 and e3 of the trajectory's frame. Its origin, the reference point, is on

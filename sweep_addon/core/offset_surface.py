@@ -8,6 +8,7 @@ import numpy as np
 
 from .later import later
 from .offsets.choices import Engine, Side
+from .operand import Operand
 from .parameters import declared, length, parameter
 from .solids import Bracket, Solid
 from .vectors import unit
@@ -18,7 +19,7 @@ QUICK = 60  # faces of a body whose offset is made in a tenth of a second or two
 
 
 @declared
-class OffsetSurface:
+class OffsetSurface(Operand):
     """A ball that moves over the surface of a solid, outside, inside or on both sides
 
     The surface bounds one valid solid, also where the radius is more than the solid's features are apart: holes close,

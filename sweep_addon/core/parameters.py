@@ -243,6 +243,8 @@ def coerce(p, value):
         require_few(p, sum(max(1, rows(item)) for item in value))
         part = replace(p, type=first)
         return tuple(coerce(part, item) for item in value)
+    if hasattr(p.type, "coerced"):
+        return p.type.coerced(value)
     require(isinstance(value, p.type), {bool: "must be true or false", str: "must be text"}[p.type], value)
     return value
 

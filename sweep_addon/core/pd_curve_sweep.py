@@ -14,6 +14,7 @@ from .frames import Frames, turn
 from .generalized_cylinder import ATTRIBUTES, section_of
 from .later import later
 from .limits import Flat, Limit, Open, Plane
+from .operand import Operand
 from .parameters import Array, ShapeError, at, declared, parameter, proven, require
 from .resolving import solid_option
 from .sampling import Count, Sampling, Tolerance, place
@@ -40,7 +41,7 @@ CORNER = np.radians(1)  # a turn of less leaves the cross-section constant to a 
 
 
 @declared
-class PDCurveSweep:
+class PDCurveSweep(Operand):
     """A contour along a curve of position and direction, its cross-section constant, cut off by planes
 
     The trajectory is the position p(t) of the PD curve, the direction its d(t). At each place e1 is the unit tangent,

@@ -13,6 +13,7 @@ from .contours import Fit, Mixed, Outline, PlanarSet, all_fitted
 from .ends import Cap, Flat
 from .frames import Frames
 from .later import later
+from .operand import Operand
 from .parameters import ShapeError, angle, at, declared, parameter, proven, require
 from .resolving import solid_option
 from .sampling import MOST_STATIONS, Count, Sampling, Tolerance
@@ -45,7 +46,7 @@ class Crossing(Enum):
 
 
 @declared
-class RotationalSweep:
+class RotationalSweep(Operand):
     """A contour that turns about an axis in its plane: a solid of revolution, or a screw
 
     It turns as a right hand does whose thumb shows along the axis. A point of the contour on the axis is one vertex, a

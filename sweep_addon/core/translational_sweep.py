@@ -13,6 +13,7 @@ from .contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
 from .ends import Cap, Flat
 from .frames import Frames
 from .later import later
+from .operand import Operand
 from .parameters import Array, ShapeError, angle, count, declared, length, parameter, require
 from .texture import Texture
 from .wording import shown
@@ -43,7 +44,7 @@ class Reference(Enum):
 
 
 @declared
-class TranslationalSweep:
+class TranslationalSweep(Operand):
     """A contour that moves along a line segment: an extrusion, a prism, a frustum
 
     Its orientation does not change, and its shape only by a taper: then all edges of the contour move inwards, parallel

@@ -4,11 +4,12 @@
 
 import numpy as np
 
+from ..operand import Operand
 from ..parameters import count, declared, length
 
 
 @declared
-class Ball:
+class Ball(Operand):
     """A ball about its reference point
 
     As a polyhedron inscribed in it, of rings about the z axis with a pole above and one below.

@@ -3,13 +3,14 @@
 """The block, as a solid."""
 
 from ..later import later
+from ..operand import Operand
 from ..parameters import declared, length
 
 prism = later("core.solids.prism", "prism")
 
 
 @declared
-class Block:
+class Block(Operand):
     """A block about its reference point
 
     Examples

@@ -3,13 +3,14 @@
 """The bracket, as a solid: an L that has moved along z."""
 
 from ..later import later
+from ..operand import Operand
 from ..parameters import declared, length, require
 
 prism = later("core.solids.prism", "prism")
 
 
 @declared
-class Bracket:
+class Bracket(Operand):
     """An L-bracket: two legs at a right angle
 
     Its legs run along x and y from the corner at the origin.

@@ -3,13 +3,14 @@
 """The cylinder, as a solid."""
 
 from ..later import later
+from ..operand import Operand
 from ..parameters import count, declared, length
 
 prism = later("core.solids.prism", "prism")
 
 
 @declared
-class Cylinder:
+class Cylinder(Operand):
     """A round cylinder about the z axis
 
     Its base is a polygon inscribed in the circle.

@@ -5,13 +5,14 @@
 import numpy as np
 
 from ..later import later
+from ..operand import Operand
 from ..parameters import count, declared, length, require
 
 prism = later("core.solids.prism", "prism")
 
 
 @declared
-class DrilledBlock:
+class DrilledBlock(Operand):
     """A block with a round hole drilled through along z
 
     The hole's edge is a polygon inscribed in its circle.

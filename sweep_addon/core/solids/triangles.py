@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..operand import Operand
 from ..parameters import Array, declared, parameter, require
 
 MOST = 1_000_000  # vertices, and triangles
@@ -12,7 +13,7 @@ SIDES = ((0, 1, 2), (0, 2, 3), (0, 3, 1), (1, 3, 2))
 
 
 @declared
-class Triangles:
+class Triangles(Operand):
     """A surface of triangles, or the solid that it bounds if it is closed
 
     Examples

@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The meshes of trees: each operand's closed mesh, and set operations of them by manifold3d."""
+
+import numpy as np
+
+from ..booleans import body_of, combined, mesh_of
+from ..parameters import at, require, spelled
+from ..polyhedron import polyhedron
+from ..runs import backward
+from .placed import Placed
+from .tree import Tree
+
+
+def evaluated(tree):
+    """The boundary of a `Tree` as a closed `Mesh` of triangles."""
+    return mesh_of(body(tree))
+
+
+def body(operand):
+    """An operand in the form of manifold3d."""
+    if not isinstance(operand, Tree):
+        return body_of(closed_mesh(operand))
+    with at("base"):
+        made = body(operand.base)
+    for number, step in enumerate(operand.steps, 1):
+        with at(f"steps.{number}.operand"):
+            made = combined(spelled(step.operation), made, body(step.operand))
+    return made
+
+
+def closed_mesh(operand):
+    """The mesh of an operand, closed; a sweep that meets itself is made a solid first: solvers keep the overlap."""
+    if isinstance(operand, Placed):
+        return operand.carried(closed_mesh(operand.solid))
+    mesh = operand.solid() if callable(getattr(operand, "solid", None)) else operand.mesh()
+    wrong = len(mesh.non_manifold_edges())
+    require(not wrong, "must be closed and manifold", f"{wrong} edges without two faces")
+    return mesh
+
+
+def transformed(mesh, axes, origin):
+    """A mesh whose vertices are taken elsewhere; where they are mirrored its faces are turned over."""
+    vertices = mesh.vertices @ axes.T + origin
+    mirrored = np.linalg.det(axes) < 0
+    corners = mesh.corners[backward(mesh.offsets)] if mirrored else mesh.corners
+    return polyhedron(vertices, corners, mesh.offsets, mesh.topology.material, mesh.told)

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sweep of a solid as a node of a tree: all points that a shape or a tree visits as it moves."""
+
+from ..later import later
+from ..operand import Operand
+from ..parameters import count, declared, parameter
+from ..solids import Block
+from ..trajectories import Trajectory
+from .rigid import RigidMotion
+
+closed_mesh = later("core.csg.meshes", "closed_mesh")
+GeneralSweep = later("core.general_sweep", "GeneralSweep")
+Triangles = later("core.solids", "Triangles")
+
+Moving = Trajectory | RigidMotion
+
+
+@declared
+class SweptSolid(Operand):
+    """All points that a shape, a solid or a tree visits as it moves
+
+    Along a trajectory it stays parallel to itself; a `RigidMotion` turns it too.
+
+    Source
+    ------
+    Hui: Solid modelling with sweep-CSG representation, 1994: the internal node "sweep". Its mesh is that of
+    `GeneralSweep`.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.solids import Cylinder
+    >>> from sweep_addon.core.trajectories import Line
+    >>> slot = SweptSolid(Block() - Cylinder(0.1, 1.0), Line(end=(2, 0, 0)))
+    >>> print(slot)
+    sweep(Block - Cylinder)
+    """
+
+    solid: Operand = parameter(Block(), "What moves")
+    motion: Moving = parameter(RigidMotion(), "How it moves")
+    cells: int = count(48, "Cells across the mesh", minimum=8, maximum=512, soft_maximum=128)
+
+    def mesh(self, dtype=None, progress=None):
+        """The boundary of the set that it visits as a `Mesh` of triangles, in metres."""
+        mesh = self.sweep().solid(progress)
+        return mesh if dtype is None else mesh.astype(dtype)
+
+    def sweep(self):
+        """The same as a `GeneralSweep` of the solid's mesh."""
+        rigid = self.rigid
+        turns = {f"turn_{axis}": getattr(rigid, f"turn_{axis}") for axis in "xyz"}
+        solid = Triangles.of(closed_mesh(self.solid))
+        return GeneralSweep(solid, rigid.trajectory, cells=self.cells, frame=rigid.frame, **turns)
+
+    @property
+    def rigid(self):
+        """The motion, that along a trajectory alone as one that does not turn."""
+        return self.motion if isinstance(self.motion, RigidMotion) else RigidMotion(self.motion)
+
+    def __str__(self):
+        from .tree import told
+
+        return f"sweep({told(self.solid, nested=False)})"
