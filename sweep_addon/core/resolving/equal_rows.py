@@ -23,6 +23,11 @@ def equal_rows(rows, others):
     --------
     >>> equal_rows(np.eye(3), np.array([(0.0, 0.0, 1.0), (1.0, -0.0, 0.0)])).tolist()
     [1, -1, 0]
+
+    Places opposite each other do not hide each other:
+
+    >>> equal_rows(np.array([(-1.0, -2.0, 3.0)]), np.array([(1.0, 2.0, 3.0), (-1.0, -2.0, 3.0)])).tolist()
+    [1]
     """
     if not len(others):
         return np.full(len(rows), -1)
@@ -35,4 +40,6 @@ def equal_rows(rows, others):
 
 def mixed(rows):
     """A number for each row that is the same for equal ones, and hardly ever for others."""
-    return ((np.ascontiguousarray(rows) + 0.0).view(np.uint64) * MIXED).sum(axis=1)  # + 0.0: -0.0 is 0.0
+    bits = (np.ascontiguousarray(rows) + 0.0).view(np.uint64)  # + 0.0: -0.0 is 0.0
+    bits ^= bits >> np.uint64(29)  # a product hands bits on to higher ones alone: two signs would cancel each other
+    return (bits * MIXED).sum(axis=1)

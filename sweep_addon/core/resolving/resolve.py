@@ -60,10 +60,10 @@ def of_plan(rings, plan, progress):
     pieces = Pieces(rings, plan, Fillings(rings))
     body = step_by_step(pieces, progress)
     vertices, triangles, faces = arrays(body)
-    triangles, kept = tidied(vertices, triangles)
-    whole = United(vertices, triangles, faces).only(kept)
     if len(body.decompose()) > 1:
-        whole = whole.only(without_specks(whole.vertices, whole.triangles))
+        large = without_specks(vertices, triangles)
+        triangles, faces = triangles[large], faces[large]
+    whole = United(*tidied(vertices, triangles, faces, [cut.number for cut in pieces.cuts]))
     return assembled(rings, plan.untouched, whole, pieces.cuts)
 
 

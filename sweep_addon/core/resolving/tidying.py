@@ -1,31 +1,40 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tidying: vertices that a boolean has left so close to each other that single precision does not tell them apart."""
+"""Tidying: what a boolean has left so small that single precision does not tell it from nothing."""
 
 import numpy as np
 
-from ..components import components
-from ..vectors import norms
+from .absorbing import absorbed
+from .contracting import contracted
+from .drawing_apart import drawn_apart
+from .flipping import flipped
+from .heights import heights
+from .stars import touching
 
-CLOSE = 1e-7  # of the size of a mesh
-ATTEMPTS = 4
+STEPS = 2.0  # of single precision: corners that are so far apart, and triangles so high, remain when they are rounded
+ROUNDS = 20
 
 
-def tidied(vertices, triangles):
-    """Draw together vertices that edges join which are next to nothing, where the surface stays a closed manifold.
+def tidied(vertices, triangles, faces, cuts):
+    """Of a closed surface one without short edges and thin triangles, which is nowhere further from it than rounding.
 
     Parameters
     ----------
     vertices : (n, 3) float array
     triangles : (t, 3) int array
         A closed manifold.
+    faces : (t,) int array
+        What each triangle is a part of.
+    cuts : sequence of int
+        The faces that are to stay as they are, with all their corners.
 
     Returns
     -------
-    triangles : (t, 3) int array
-        With the first of each such vertices instead of all of them.
-    kept : (t,) bool array
-        Which triangles are still some: two of their corners may be one now.
+    vertices : (n, 3) float array
+        Where the surface touched itself in a point, there are two now that single precision tells apart.
+    triangles : (k, 3) int array
+        A closed manifold of the same genus, of some of the vertices.
+    faces : (k,) int array
 
     Examples
     --------
@@ -33,39 +42,37 @@ def tidied(vertices, triangles):
 
     >>> vertices = np.array([(1, 1, 0), (-1, 1, 0), (-1, -1, 0), (1, -1, 0), (0, 0, 1), (0, 1e-9, 1)])
     >>> sides = [(0, 1, 5), (1, 4, 5), (1, 2, 4), (2, 3, 4), (3, 0, 4), (0, 5, 4), (0, 2, 1), (0, 3, 2)]
-    >>> triangles, kept = tidied(vertices, np.array(sides))
-    >>> int(kept.sum()), len(np.unique(triangles[kept]))
-    (6, 5)
+    >>> _, triangles, faces = tidied(vertices, np.array(sides), np.arange(8), ())
+    >>> faces.tolist(), len(np.unique(triangles))
+    ([0, 2, 3, 4, 6, 7], 5)
     """
-    edges = np.concatenate((triangles[:, :2], triangles[:, 1:], triangles[:, ::2]))
-    edges = edges[edges[:, 0] < edges[:, 1]]
-    lengths = norms(vertices[edges[:, 0]] - vertices[edges[:, 1]])
-    close = edges[lengths < CLOSE * np.ptp(vertices, axis=0).max()]
-    for _ in range(ATTEMPTS if len(close) else 0):
-        first = components(len(vertices), close)
-        drawn = first[triangles]
-        kept = (drawn != np.roll(drawn, 1, axis=1)).all(axis=1)
-        wrong = torn(len(vertices), drawn[kept], triangles)
-        if not wrong.any():
-            return drawn, kept
-        close = close[~wrong[first[close[:, 0]]]]
-    return triangles, np.full(len(triangles), True)
+    small = STEPS * float(np.spacing(np.float32(np.abs(vertices).max(initial=0.0))))
+    fixed = np.full(len(vertices), False)
+    fixed[triangles[np.isin(faces, cuts)]] = True
+    for _ in range(ROUNDS):
+        bad = heights(vertices, triangles)[0] < small
+        if not bad.any():
+            break
+        near = round_about(triangles, triangles[bad], len(vertices))
+        rest = triangles[~near], faces[~near]
+        made = smoothed(vertices, triangles[near], faces[near], small, fixed)
+        if made is None:
+            break
+        triangles, faces = (np.concatenate(parts) for parts in zip(rest, made, strict=True))
+    return drawn_apart(vertices, triangles, small, fixed), triangles, faces
 
 
-def torn(count, drawn, before):
-    """The vertices at which a surface is no closed manifold any longer: (count,) bool array.
+def round_about(triangles, vertices, count):
+    """Which triangles are at some of so many vertices, or at a neighbour of one: (t,) bool array."""
+    near = touching(triangles, vertices, count)
+    return touching(triangles, triangles[near], count)
 
-    Each directed edge must be there once, and once the other way. Where a disc is drawn together, twice as many
-    triangles go as vertices.
-    """
-    start, end = drawn.ravel(), np.roll(drawn, -1, axis=1).ravel()
-    keys, back = start * np.int64(count) + end, end * np.int64(count) + start
-    order, times = np.unique(keys, return_counts=True)
-    place = np.searchsorted(order, back).clip(0, max(len(order) - 1, 0))
-    bad = (order[place] != back) | (times[np.searchsorted(order, keys)] > 1)
-    wrong = np.full(count, False)
-    wrong[start[bad]] = wrong[end[bad]] = True
-    lost = len(np.unique(before)) - len(np.unique(drawn))
-    if not bad.any() and len(before) - len(drawn) != 2 * lost:
-        wrong[:] = True
-    return wrong
+
+def smoothed(vertices, triangles, faces, small, fixed):
+    """A part of a surface with fewer thin triangles, and the face of each; None where nothing could be done."""
+    before = triangles
+    triangles, kept = contracted(vertices, triangles, small, fixed)
+    triangles, faces = flipped(vertices, triangles[kept], faces[kept], small, fixed)
+    triangles, kept = absorbed(vertices, triangles, small, fixed)
+    triangles, faces = triangles[kept], faces[kept]
+    return None if np.array_equal(triangles, before) else (triangles, faces)
