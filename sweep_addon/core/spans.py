@@ -16,6 +16,7 @@ from .frozen import individual
 from .sampling import SHORTEST_STEP, distinct
 from .trajectories.arc_length import arc_length, subdivided
 from .transport import ANGLES, NODES, ORDER
+from .vectors import dot
 
 EXACT = 1e-13  # of the size: the last two terms of a span; the next are a hundredth of them
 EXACT_U = 1e-9  # of the domain: no place hangs on it
@@ -66,9 +67,22 @@ class Spans:
         span = np.searchsorted(self.ends, z)
         if not self.exact[span].all():
             return lambda z: self.bending.bend(np.column_stack((points, z)))
+        lines = np.einsum("mw,mwcj->jmc", affine(points), self.coefficients[span, :, :3])
+        return self.summed(span, lines)
+
+    def along(self, directions, which, points, z):
+        """How far these lines are along directions (p, 3), of which each has one, (m,): a function to (m,)."""
+        span = np.searchsorted(self.ends, z)
+        if not self.exact[span].all():
+            line = self.line(points, z)
+            return lambda z: dot(line(z), directions[which])
+        levels = np.einsum("pc,swcj->psjw", directions, self.coefficients[:, :, :3])
+        return self.summed(span, np.einsum("mw,mjw->jm", affine(points), levels[which, span]))
+
+    def summed(self, span, terms):
+        """A function of heights in spans, (m,), from its terms, the lowest first: (ORDER, m) or (ORDER, m, 3)."""
         middle, half = self.middle[span], self.half[span]
-        lines = np.einsum("mw,mwcj->mcj", affine(points), self.coefficients[span, :, :3])
-        return lambda z: np.einsum("jm,mcj->mc", powers((z - middle) / half, ORDER), lines)
+        return lambda z: np.einsum("jm,jm...->m...", powers((z - middle) / half, ORDER), terms)
 
     def lines(self, weights, z):
         """The lines of points at heights, (m, n): places and the parameter u, (m, 4, n).
@@ -106,7 +120,8 @@ class Spans:
         """
         centre, radius = (start + end) / 2, (end - start) / 2 or 1.0
         place, scale = (centre - self.middle[span]) / self.half[span], radius / self.half[span]
-        found = self.coefficients[span] @ (BINOMIALS * np.power(place, ABOVE) * scale ** np.arange(ORDER))
+        raised = powers(np.array((place, scale)), ORDER)
+        found = self.coefficients[span] @ (BINOMIALS * raised[ABOVE, 0] * raised[:, 1])
         counted = np.abs(found).max(axis=(0, 1)) > ROUNDING * np.abs(found).max()
         return found[..., : np.flatnonzero(counted)[-1] + 1], centre, radius
 

@@ -17,7 +17,7 @@ from .mesh import require_few
 from .parameters import ShapeError, at, require
 from .self_intersection.folds import roots
 from .spans import spans
-from .vectors import cross, dot, norms, unit
+from .vectors import cross, norms, unit
 
 FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
 ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
@@ -134,7 +134,7 @@ def looked_at(plane, whole, points, side):
     The first height is beyond all cuts that there are beyond the end.
     """
     z, axes = (part[:: -1 if side else 1] for part in whole.looked_at)
-    levels = axes @ plane.across
+    levels = (axes.reshape(-1, 3) @ plane.across).reshape(-1, 3)
     levels[:, 0] += plane.heights(np.zeros(3))
     above = affine(points) @ levels.T
     outward = float(whole.outward[side] @ plane.across)
@@ -151,11 +151,13 @@ def looked_at(plane, whole, points, side):
 def crossings(planes, whole, points, intervals):
     """Where lines of points (m, 2) cross planes, in intervals (4, p m): heights (p, m) and places (p, m, 3)."""
     low, high, at_low, at_high = intervals
-    line = whole.line(np.tile(points, (len(planes), 1)), (low + high) / 2)
-    across = np.repeat([plane.across for plane in planes], len(points), axis=0)
-    level = np.repeat([plane.heights(np.zeros(3)) for plane in planes], len(points))
-    found = roots(lambda z: dot(line(z), across) + level, low, high, at_low, at_high)
-    return found.reshape(len(planes), -1), line(found).reshape(len(planes), -1, 3)
+    points, middles = np.tile(points, (len(planes), 1)), (low + high) / 2
+    which = np.repeat(np.arange(len(planes)), len(points) // len(planes))
+    across = np.array([plane.across for plane in planes])
+    level = np.array([plane.heights(np.zeros(3)) for plane in planes])[which]
+    along = whole.along(across, which, points, middles)
+    found = roots(lambda z: along(z) + level, low, high, at_low, at_high)
+    return found.reshape(len(planes), -1), whole.line(points, middles)(found).reshape(len(planes), -1, 3)
 
 
 def ranged(stations, starts, ends, planes):
