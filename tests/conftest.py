@@ -8,7 +8,8 @@ library inside the extension, so that no module exists twice. Blender's user fol
 
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
 A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
-and hypothesis examples.
+and hypothesis examples. ``SWEEP_BRIEF=1`` says that other hosts do the same at length: then fewer are drawn,
+and tests marked `thorough` are skipped.
 """
 
 import atexit
@@ -27,10 +28,14 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 EXTENSION = "bl_ext.user_default.sweep_addon"
 TEMPORARY = "sweep-tests-"  # how the name of a temporary user folder starts
 FULL = os.environ.get("SWEEP_FULL") == "1"
+BRIEF = os.environ.get("SWEEP_BRIEF") == "1" and not FULL
+LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)")
+THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python and in the real Blender")
 
+settings.register_profile("brief", deadline=None, database=None, derandomize=True, max_examples=10)
 settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=50)
 settings.register_profile("full", deadline=None, database=None, derandomize=True, max_examples=1000)
-settings.load_profile("full" if FULL else "usual")
+settings.load_profile("full" if FULL else "brief" if BRIEF else "usual")
 
 
 def isolate_user_folder():
@@ -124,16 +129,17 @@ def pytest_report_header(config):
 
 
 def pytest_collection_modifyitems(items):
-    if not FULL:
-        for item in items:
-            if item.get_closest_marker("large"):
-                item.add_marker(pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)"))
+    for item in items:
+        if not FULL and item.get_closest_marker("large"):
+            item.add_marker(LARGE)
+        if BRIEF and item.get_closest_marker("thorough"):
+            item.add_marker(THOROUGH)
 
 
 @pytest.fixture
 def draws():
     """How many random inputs a test draws; where each takes long, it is a part of them."""
-    return 1000 if FULL else 150
+    return 1000 if FULL else 30 if BRIEF else 150
 
 
 @pytest.fixture

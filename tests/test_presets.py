@@ -17,6 +17,7 @@ from sweep_addon.core.sampling import place
 
 ALL = [preset.name for preset in presets.PRESETS]
 SOLID = [preset for preset in presets.PRESETS if preset.group != "mixed_dimension"]
+LONG = {"general_sweep": pytest.mark.thorough}  # presets whose meshes take seconds
 MOST_VERTICES = 65_536  # Blender draws so many in a few milliseconds
 
 
@@ -40,7 +41,7 @@ def test_presets_are_these_and_sizes_are_in_order():
     assert len({preset.doc for preset in presets.PRESETS}) == len(ALL)
 
 
-@pytest.mark.parametrize("preset", SOLID, ids=lambda preset: preset.name)
+@pytest.mark.parametrize("preset", [pytest.param(p, id=p.name, marks=LONG.get(p.group, ())) for p in SOLID])
 def test_preset_is_a_job_for_a_closed_mesh_that_says_no_more_than_how_fine_it_is(preset):
     understood = job.read(preset.path)
     mesh = understood.shape.mesh()

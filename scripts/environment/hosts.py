@@ -18,6 +18,7 @@ SCREEN = ("-screen", "0", "1400x900x24")
 VERSIONS = "import platform, numpy; print(f'Python {platform.python_version()}, NumPy {numpy.__version__}')"
 # In front of Blender's Python: failures decide the exit code, and pytest is found.
 INSIDE_BLENDER = ("--python-use-system-env", "--python-exit-code", "1")
+BRIEF = {"SWEEP_BRIEF": "1"}  # plain Python and the real Blender do what takes long; but what was asked for is done
 
 
 @dataclass(frozen=True)
@@ -67,12 +68,14 @@ def plain(arguments):
 
 def numpy(arguments):
     """plain Python with NumPy and nothing else."""
-    return suite("numpy", venvs.made(venvs.NUMPY), *(arguments or ["tests/core"]))
+    brief = {} if arguments else BRIEF
+    return suite("numpy", venvs.made(venvs.NUMPY), *(arguments or ["tests/core"]), environment=brief)
 
 
 def wheel(arguments):
     """the bpy wheel of the oldest supported Blender, the checkout as a live extension."""
-    return suite("wheel", venvs.made(venvs.BLENDER), *arguments, environment={"SWEEP_BLENDER": "wheel"})
+    environment = {"SWEEP_BLENDER": "wheel", **({} if arguments else BRIEF)}
+    return suite("wheel", venvs.made(venvs.BLENDER), *arguments, environment=environment)
 
 
 def blender(arguments):
@@ -91,7 +94,7 @@ def installed(arguments):
     theirs = {"SWEEP_BLENDER_USER": str(user)}
     zipped = {**theirs, "SWEEP_ZIP": str(package(found))}
     counts = suite("zip", venvs.made(venvs.PLAIN), "tests/package", environment=zipped)
-    theirs["PYTHONPATH"] = packages.inside("tests")
+    theirs |= {"PYTHONPATH": packages.inside("tests"), **({} if arguments else BRIEF)}
     return counts + through_pytest_blender("installed", theirs, *arguments, "--", *INSIDE_BLENDER)
 
 

@@ -48,7 +48,7 @@ class CanalSurface(Operand):
 
     >>> from math import pi
     >>> from sweep_addon.core.trajectories import Line
-    >>> cone = CanalSurface(Line(), "0.2 + 0.5*t", points=1024, samples=Tolerance(1e-6)).mesh()
+    >>> cone = CanalSurface(Line(), "0.2 + 0.5*t", points=512, samples=Tolerance(4e-6)).mesh()
     >>> low, high = 0.2 * (1 - 0.5), 0.7 * (1 + 0.5)  # how high the caps are
     >>> caps = pi / 3 * (low**2 * (3 * 0.2 - low) + high**2 * (3 * 0.7 - high))
     >>> frustum = pi / 3 * (1 - 0.5**2) ** 2 * (0.2**2 + 0.2 * 0.7 + 0.7**2)

@@ -6,7 +6,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from conftest import FULL
+from conftest import BRIEF, FULL
 from solids import assert_solid
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle, RegularPolygon, Star
@@ -20,7 +20,7 @@ from sweep_addon.core.solids import Ball, Block, Bracket, Cylinder, DrilledBlock
 from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline, TorusKnot
 
 CUBE = Block(0.4, 0.4, 0.4)
-RANDOM = 250 if FULL else 10
+RANDOM = 250 if FULL else 5 if BRIEF else 10
 
 
 # Planar figures
@@ -170,22 +170,23 @@ def test_a_block_along_a_line_is_a_longer_block():
 def test_a_block_along_a_diagonal():
     """A box along a vector w: its volume and the shadows of its sides, the sum of |w| area."""
     way = (0.5, 0.7, 0.3)
-    mesh, off = coarse(GeneralSweep(CUBE, Line(end=way), cells=64), 1)
+    mesh, off = coarse(GeneralSweep(CUBE, Line(end=way), cells=48), 1)
     assert mesh.volume() == pytest.approx(0.4**3 + 0.16 * sum(way), abs=off)
     assert_solid(mesh, 2)
 
 
 def test_a_ball_round_a_circle_is_a_torus():
-    ball = Ball(0.25, points=64)
-    mesh, off = coarse(GeneralSweep(ball, Arc(1.0, 2 * pi), cells=64), 1)
+    ball = Ball(0.25, points=48)
+    mesh, off = coarse(GeneralSweep(ball, Arc(1.0, 2 * pi), cells=48), 1)
     assert mesh.volume() == pytest.approx(2 * pi**2 * 0.25**2, abs=off)
     assert_solid(mesh, 0)
 
 
+@pytest.mark.thorough
 def test_a_rod_that_turns_about_its_middle_fills_a_disc():
     """Across the axis at x it is a slab, whose corners are sqrt(0.25 + 0.05^2 - x^2) away: the discs of that add up."""
-    rod = Cylinder(0.05, 1.0)
-    mesh, off = coarse(GeneralSweep(rod, Line(end=(0, 1e-6, 0)), turn_x="pi*t", cells=64), 1)
+    rod = Cylinder(0.05, 1.0, points=32)
+    mesh, off = coarse(GeneralSweep(rod, Line(end=(0, 1e-6, 0)), turn_x="pi*t", cells=48), 1)
     assert mesh.volume() == pytest.approx(pi * (0.25 * 0.1 + 4 / 3 * 0.05**3), abs=off)
     assert_solid(mesh, 2)
 
@@ -198,9 +199,10 @@ def test_a_hole_along_the_way_stays_and_one_across_it_closes():
     assert_solid(across, 2)
 
 
+@pytest.mark.thorough
 def test_a_growing_ball_is_a_cone_with_round_ends():
     """Balls of radius 0.1 + 0.2 z along z: the cone that touches them and both caps, in closed form."""
-    shape = GeneralSweep(Ball(0.1, points=64), Line(), cells=80, **{f"scale_{a}": "1 + 2*t" for a in "xyz"})
+    shape = GeneralSweep(Ball(0.1, points=48), Line(), cells=48, **{f"scale_{a}": "1 + 2*t" for a in "xyz"})
     mesh, off = coarse(shape, 1)
     assert mesh.volume() == pytest.approx(cone_sphere(0.1, 0.3, 1.0), abs=off)
     assert_solid(mesh, 2)
@@ -220,6 +222,7 @@ def cone_sphere(r, big, length):
     return frustum + cap(r, r - r * slope) + cap(big, big + big * slope)
 
 
+@pytest.mark.thorough
 def test_points_are_told_as_all_poses_tell_them():
     """In brute force: a point has been visited if it is inside any of a thousand poses of the solid."""
     shape = GeneralSweep(Bracket(), Arc(), turn_x="2*t", turn_z="pi*t")

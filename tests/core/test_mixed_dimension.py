@@ -6,7 +6,7 @@ from math import hypot, pi, sin, tau
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from solids import assert_solid, box
 from test_translational_sweep import star
@@ -296,7 +296,6 @@ def generator(kinds, seed):
     return Mixed(loops, curves, points), area, moment
 
 
-@settings(deadline=None, max_examples=60)
 @given(st.lists(st.sampled_from(KINDS), min_size=1, max_size=6), st.integers(0, 2**32), st.floats(0.3, 6.0))
 def test_sweep_raises_the_dimension_of_each_part_by_one_unless_it_moves_along_itself(kinds, seed, angle):
     contour, area, moment = generator(kinds, seed)
@@ -326,7 +325,6 @@ def test_sweep_raises_the_dimension_of_each_part_by_one_unless_it_moves_along_it
         assert ring.volume() == pytest.approx(moment * 24 * sin(angle / 24), rel=1e-9)
 
 
-@settings(deadline=None, max_examples=40)
 @given(
     st.lists(st.sampled_from(KINDS), min_size=1, max_size=4),
     st.integers(0, 2**32),

@@ -190,7 +190,10 @@ def test_parameters_and_points_of_the_stations_belong_together():
         assert (stations.t[-1] == 1) == (not trajectory.closed)
 
 
-@pytest.mark.parametrize("waves", [3, 100, 1000, 1024, 2048, 2049, 6144, 7001])
+@pytest.mark.parametrize(
+    "waves",
+    [3, 100, 1000, 1024, 2048, 2049, *(pytest.param(many, marks=pytest.mark.thorough) for many in (6144, 7001))],
+)
 def test_a_law_that_changes_often_is_followed_as_one_that_changes_rarely(waves):
     """A ripple of any number of waves takes as many contours for each, and its chords keep the tolerance."""
     length, chord = 0.01 * waves, 1e-5

@@ -128,6 +128,7 @@ def test_a_level_set_around_a_convex_solid_has_steiners_volume_to_second_order(n
     assert 0 < errors[2] < 1.5e-3 and errors[0] / errors[2] > 10
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", HOLLOW)
 @pytest.mark.parametrize("side", Side)
 def test_rounded_faces_and_level_sets_agree(name, side):
@@ -151,6 +152,7 @@ def test_a_ball_larger_than_a_hole_closes_it():
         assert_valid(offset(solid, 0.05 * size(solid), engine=engine), euler=solid.euler_characteristic())
 
 
+@pytest.mark.thorough
 def test_a_tube_grows_by_the_radius():
     """A knot of radius 0.3 m becomes one of 0.5 m while that is less than its reach: Weyl's formula for both."""
 
@@ -175,6 +177,7 @@ def boxed(vertices, triangles):
     return np.unique(cells.reshape(-1, 3), axis=0, return_inverse=True)[1].reshape(-1, 8)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("radius", [0.2, 1.5])
 def test_no_faces_cross_where_creases_run_into_each_other(radius):
     """A knot of a star: valleys between its arms, and beyond its reach where strands meet. All near pairs are asked."""
@@ -219,7 +222,9 @@ def random_solid(random):
     return TranslationalSweep(outline, height=height).mesh()
 
 
-@pytest.mark.parametrize("count", [8, pytest.param(1000, marks=pytest.mark.large)])
+@pytest.mark.parametrize(
+    "count", [pytest.param(8, marks=pytest.mark.thorough), pytest.param(1000, marks=pytest.mark.large)]
+)
 def test_random_offsets_are_valid(count):
     random = np.random.default_rng(20)
     for _ in range(count):
