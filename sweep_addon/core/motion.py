@@ -15,6 +15,7 @@ from .frames import axes
 from .frozen import frozen
 from .general_sweep import PLACES
 from .laws import Law
+from .mesh import require_few
 from .parallel import Parallel
 from .parameters import at
 from .sampling import place, stations
@@ -166,6 +167,29 @@ class Motion:
         near = self.posed(points, self.at(np.array([0.0, total * SAME, total / 2, total * (1 - SAME)])))
         back = norms(near[3] - near[0]).max()
         return bool(back <= 100 * SAME * max(norms(near[2] - near[0]).max(), total))
+
+    def standing(self, points, samples, vertices, ends=0):
+        """The poses in which a generator stands, and whether it comes back to the first.
+
+        Parameters
+        ----------
+        points : (k, 3) float array
+            Of the generator.
+        samples : Count or Tolerance
+        vertices, ends : int
+            How many there are at each place, and besides: of a mesh of too many the samples are refused.
+
+        Returns
+        -------
+        Poses, bool
+            Where a closed trajectory does not bring it back, it ends in a pose of its own.
+        """
+        placed = self.stations(points, samples)
+        require_few(len(placed.s) * vertices + ends, "samples")
+        back = self.comes_back(points)
+        if self.trajectory.closed and not back:  # it ends elsewhere, or turned
+            return self.at(np.append(placed.s, placed.total)), False
+        return self.poses(placed), back
 
     def stations(self, points, samples):
         """The stations at which the chords of all points of the generator keep a tolerance, or so many."""

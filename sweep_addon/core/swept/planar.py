@@ -12,7 +12,7 @@ from ..contours import Fit
 from ..drawn import affine, drawn
 from ..generalized_cylinder import section_of
 from ..grid import Grid
-from ..mesh import Mesh, require_few
+from ..mesh import Mesh
 from ..trajectories.arc_length import arc_length
 from ..vectors import dot, norms, unit
 
@@ -36,12 +36,7 @@ class Planar:
     def stood(self):
         """The poses in which it stands, and whether it comes back to the first."""
         points = raised(self.section.points)
-        placed = self.motion.stations(points, self.shape.samples)
-        require_few(len(placed.s) * len(points), "samples")
-        back = self.motion.comes_back(points)
-        if self.motion.trajectory.closed and not back:  # it ends elsewhere, or turned
-            return self.motion.at(np.append(placed.s, placed.total)), False
-        return self.motion.poses(placed), back
+        return self.motion.standing(points, self.shape.samples, len(points))
 
     def mesh(self, dtype=np.float64):
         poses, back = self.stood

@@ -8,7 +8,6 @@ import numpy as np
 
 from ..ends import Flat
 from ..grid import Grid
-from ..mesh import require_few
 from ..parameters import ShapeError, require
 from ..polyhedron import polyhedron
 from ..runs import backward
@@ -33,12 +32,7 @@ class Surface:
     def stood(self):
         """The poses in which it stands, and whether it comes back to the first."""
         points = self.generator.vertices
-        placed = self.motion.stations(points, self.shape.samples)
-        require_few(len(placed.s) * len(self.boundary[0]) + 2 * len(points), "samples")
-        back = self.motion.comes_back(points)
-        if self.motion.trajectory.closed and not back:
-            return self.motion.at(np.append(placed.s, placed.total)), False
-        return self.motion.poses(placed), back
+        return self.motion.standing(points, self.shape.samples, len(self.boundary[0]), 2 * len(points))
 
     @cached_property
     def boundary(self):
