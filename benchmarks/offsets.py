@@ -10,7 +10,7 @@ import numpy as np
 from measuring import short, table, tell, verdict
 
 from bl_ext.user_default import sweep_addon as sw
-from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import body_of, hull
+from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import body_of, hull_body, mesh_of
 from bl_ext.user_default.sweep_addon.sweep_addon.core.facets import facets
 from bl_ext.user_default.sweep_addon.sweep_addon.core.offsets.around import Around
 from bl_ext.user_default.sweep_addon.sweep_addon.core.offsets.level_set import level_set
@@ -115,7 +115,7 @@ def levels():
 def convex():
     """Whether an ellipsoid of 10,000 faces is offset as quickly as was asked."""
     points = np.random.default_rng(0).normal(size=(5002, 3))
-    solid = hull(points / np.linalg.norm(points, axis=1, keepdims=True) * (1.0, 0.7, 0.5))
+    solid = mesh_of(hull_body(points / np.linalg.norm(points, axis=1, keepdims=True) * (1.0, 0.7, 0.5)))
     times, _ = taken({"": lambda: offset(solid, 0.3)})
     return f"\n- an ellipsoid of {len(solid.offsets) - 1:,} faces: {verdict(times[''], 0.1, ' s')}"
 

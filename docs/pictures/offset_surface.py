@@ -14,7 +14,7 @@ import numpy as np
 from bl_ext.user_default import sweep_addon as sw
 from bl_ext.user_default.sweep_addon.sweep_addon.batch import scene, studio
 from bl_ext.user_default.sweep_addon.sweep_addon.batch.job import Render
-from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import difference
+from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import body_of, combined, mesh_of
 from bl_ext.user_default.sweep_addon.sweep_addon.core.solids import Block, DrilledBlock
 
 RENDER = Render(width=1000, height=360, azimuth=-1.2, elevation=0.75, margin=0.03, samples=24)
@@ -44,7 +44,8 @@ def main(picture):
 def without_a_corner(mesh):
     """A solid without what is in front of its middle on the right."""
     cutter = Block(4.0, 4.0, 4.0).mesh()
-    return difference(mesh, [type(cutter)(cutter.vertices + (2.0, -2.0, 0.0), cutter.topology)])
+    cutter = type(cutter)(cutter.vertices + (2.0, -2.0, 0.0), cutter.topology)
+    return mesh_of(combined("difference", body_of(mesh), body_of(cutter)))
 
 
 def placed(mesh, x):

@@ -3,7 +3,7 @@
 """Booleans of solids: the one place that asks manifold3d, in double precision and only when something is made.
 
 A *body* is manifold3d's own form of a closed mesh. Who makes many and wants one keeps bodies until the end, for going
-to and fro costs more than a hull does; who has meshes and wants a mesh asks `union`, `difference` and `intersection`.
+to and fro costs more than a hull does; who has meshes and wants a mesh asks `union`.
 """
 
 from functools import cache
@@ -15,7 +15,6 @@ from .parameters import ShapeError, require
 from .polyhedron import polyhedron
 
 MISSING = "needs the library manifold3d, which is missing here: pip install manifold3d"
-ROUNDING = 1e-14  # of the cube about some points: less is no volume
 
 
 def library():
@@ -129,122 +128,3 @@ def union(meshes):
     (5.0, 2)
     """
     return mesh_of(united(map(body_of, meshes)))
-
-
-def difference(mesh, others):
-    """Everything that is in a solid and in none of some others.
-
-    Parameters
-    ----------
-    mesh : Mesh
-    others : sequence of Mesh
-        All closed, manifold and oriented, and none crosses itself.
-
-    Returns
-    -------
-    Mesh
-        Of triangles; without any where nothing is left.
-
-    Raises
-    ------
-    ShapeError
-        For a mesh that is not closed, or where manifold3d is missing.
-
-    Examples
-    --------
-    >>> from sweep_addon.core.contours import Rectangle
-    >>> from sweep_addon.core.translational_sweep import TranslationalSweep
-    >>> block, hole = (TranslationalSweep(Rectangle(w, w), height=1.0).mesh() for w in (3.0, 1.0))
-    >>> frame = difference(block, [hole])
-    >>> round(frame.volume(), 12), frame.euler_characteristic()
-    (8.0, 0)
-    """
-    manifold3d = library()
-    bodies = [body_of(mesh), *map(body_of, others)]
-    return mesh_of(manifold3d.Manifold.batch_boolean(bodies, manifold3d.OpType.Subtract))
-
-
-def intersection(meshes):
-    """Everything that is in all of some solids.
-
-    Parameters
-    ----------
-    meshes : sequence of Mesh
-        All closed, manifold and oriented, and none crosses itself.
-
-    Returns
-    -------
-    Mesh
-        Of triangles; without any where nothing is left.
-
-    Raises
-    ------
-    ShapeError
-        For a mesh that is not closed, or where manifold3d is missing.
-
-    Examples
-    --------
-    >>> from sweep_addon.core.contours import Rectangle
-    >>> from sweep_addon.core.translational_sweep import TranslationalSweep
-    >>> bars = [TranslationalSweep(Rectangle(w, 4.0 - w), height=1.0).mesh() for w in (1.0, 3.0)]
-    >>> round(intersection(bars).volume(), 12)
-    1.0
-    """
-    manifold3d = library()
-    return mesh_of(manifold3d.Manifold.batch_boolean(list(map(body_of, meshes)), manifold3d.OpType.Intersect))
-
-
-def hull(points):
-    """The convex hull of points.
-
-    Parameters
-    ----------
-    points : (n, 3) float array
-        Places in metres, not all in one plane.
-
-    Returns
-    -------
-    Mesh
-        Of triangles.
-
-    Raises
-    ------
-    ShapeError
-        For points in a plane, or where manifold3d is missing.
-
-    Examples
-    --------
-    >>> round(hull(np.eye(4, 3)).volume() * 6, 12)
-    1.0
-    """
-    points = np.asarray(points, np.float64)
-    made, size = hull_body(points), np.ptp(points, axis=0).max()
-    require(made.volume() > ROUNDING * size**3, "The points of a hull must not lie in one plane", len(points))
-    return mesh_of(made)
-
-
-def hulls_union(clouds):
-    """Everything that is in the convex hull of any of some clouds of points.
-
-    Parameters
-    ----------
-    clouds : sequence of (n, 3) float arrays
-        Places in metres; a cloud in a plane adds nothing.
-
-    Returns
-    -------
-    Mesh
-        Of triangles.
-
-    Raises
-    ------
-    ShapeError
-        Where manifold3d is missing.
-
-    Examples
-    --------
-    >>> cube = np.stack(np.meshgrid((0, 1), (0, 1), (0, 1)), axis=-1).reshape(-1, 3).astype(float)
-    >>> round(hulls_union([cube, cube + (0.5, 0, 0)]).volume(), 12)
-    1.5
-    """
-    return mesh_of(united(map(hull_body, clouds)))

@@ -7,7 +7,7 @@ import pytest
 from brute_force import crossing_faces
 from contour_inputs import OUTLINES, drawn
 
-from sweep_addon.core.booleans import hull
+from sweep_addon.core.booleans import hull_body, mesh_of
 from sweep_addon.core.contours import Circle, Star
 from sweep_addon.core.distance import Tree, nearest
 from sweep_addon.core.facets import facets
@@ -48,13 +48,13 @@ def steiner(mesh, radius):
 def ellipsoid(count):
     """Random points of an ellipsoid and what they hold."""
     points = np.random.default_rng(count).normal(size=(count, 3))
-    return hull(points / np.linalg.norm(points, axis=1, keepdims=True) * (1.0, 0.7, 0.5))
+    return mesh_of(hull_body(points / np.linalg.norm(points, axis=1, keepdims=True) * (1.0, 0.7, 0.5)))
 
 
 CONVEX = {
     "block": Block(1.0, 0.8, 0.6).mesh(),
     "cylinder": Cylinder().mesh(),
-    "few": hull(np.random.default_rng(0).normal(size=(26, 3))),
+    "few": mesh_of(hull_body(np.random.default_rng(0).normal(size=(26, 3)))),
     "many": ellipsoid(1000),
 }
 HOLLOW = {"bracket": Bracket().mesh(), "drilled block": DrilledBlock().mesh()}
