@@ -7,6 +7,7 @@ import numpy as np
 from ..frozen import individual
 
 ROOM = 2  # chunks beside those that come near something, which are given to the boolean too
+NONE = -2  # no chunk, and not the one before the first either
 
 
 @individual
@@ -91,7 +92,7 @@ def cut(conflict, start, end, round_all):
         Of each run; with a lap of 1 a run holds the last segment of the chunk before it.
     """
     number = np.arange(len(conflict))
-    latest = np.where(np.tril(conflict, -1), number, -1).max(axis=1)  # the last one before each that it might meet
+    latest = np.where(np.tril(conflict, -1), number, NONE).max(axis=1)  # the last one before each that it might meet
     first, lap = start, int(round_all)
     while first < end:
         meets = latest[first + 1 : end] >= first - lap
