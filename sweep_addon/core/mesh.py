@@ -11,6 +11,7 @@ from .digest import checksum
 from .frozen import individual
 from .parameters import require
 from .runs import following
+from .vectors import cross
 
 MOST_VERTICES = 20_000_000
 SAMPLE = 64  # of a named topology every so many numbers make its key: enough to tell how another version lays them
@@ -241,8 +242,8 @@ class Mesh:
     def normals(self):
         """(f, 3) float array: the normal of each face, as long as its area in square metres; Newell's method."""
         centred = self.vertices - self.vertices.mean(axis=0)
-        here, there = centred[self.corners], centred[self.corners[self.topology.following]]
-        return np.add.reduceat(np.cross(here, there), self.offsets[:-1], axis=0) / 2
+        here = centred[self.corners]
+        return np.add.reduceat(cross(here, here[self.topology.following]), self.offsets[:-1], axis=0) / 2
 
     def boundary_edges(self):
         """Edges of one face alone: (k, 2) int array of vertices, empty where the mesh is closed.

@@ -5,7 +5,8 @@
 import numpy as np
 
 from .mesh import Mesh, Topology
-from .runs import following
+from .runs import following, run_of
+from .vectors import unit
 
 CREASE = np.cos(np.radians(30))  # faces that turn more than this meet in an edge
 
@@ -72,11 +73,8 @@ def polyhedron(vertices, corners, offsets=None, material=None, told=()):
 def turns(mesh):
     """Which edges turn by more than a crease, or are not of two faces: (e,) bool array."""
     topology = mesh.topology
-    sizes = np.linalg.norm(mesh.normals, axis=1, keepdims=True)
-    normals = np.repeat(mesh.normals / np.where(sizes, sizes, 1.0), np.diff(topology.offsets), axis=0)
-    shared = np.zeros((len(topology.edges), 3))
-    for axis in range(3):
-        shared[:, axis] = np.bincount(topology.corner_edges, normals[:, axis], len(shared))
-    uses = np.bincount(topology.corner_edges, minlength=len(shared))
+    face = run_of(topology.offsets)
+    shared = [np.bincount(topology.corner_edges, axis[face], len(topology.edges)) for axis in unit(mesh.normals).T]
+    uses = np.bincount(topology.corner_edges, minlength=len(topology.edges))
     # of two unit normals the sum is 2 cos of half the angle long
-    return (uses != 2) | ((shared**2).sum(axis=1) < 2 + 2 * CREASE)
+    return (uses != 2) | (sum(axis**2 for axis in shared) < 2 + 2 * CREASE)
