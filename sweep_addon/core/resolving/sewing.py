@@ -26,24 +26,24 @@ def sewn(before, kept, number, others):
     """
     if not len(kept):
         return others
-    corners = corners_of(before.offsets, kept)
+    corners, number = corners_of(before.offsets, kept), number.astype(np.int32)
+    kept_edges = before.corner_edges[corners]
     used = np.full(len(before.edges), False)
-    used[before.corner_edges[corners]] = True
-    old = number[before.edges[used]]
+    used[kept_edges] = True
+    old = number[np.compress(used, before.edges, axis=0)]
     rim = np.full(int(max(old.max(initial=0), others.edges.max(initial=0))) + 1, False)
     rim[others.edges] = True
-    shared = np.flatnonzero(rim[old].all(axis=1))
+    shared = np.flatnonzero(rim[old[:, 0]] & rim[old[:, 1]])
     same = equal_pairs(others.edges, old[shared], len(rim))
     new = same < 0
     edge = np.where(new, len(old) + np.cumsum(new) - 1, shared[same])
+    renumbered = np.cumsum(used, dtype=np.int32) - np.int32(1)
     sizes = np.concatenate((np.diff(before.offsets)[kept], np.diff(others.offsets)))
     return Topology(
-        corners=np.concatenate((number[before.corners[corners]], others.corners)).astype(np.int32),
+        corners=np.concatenate((number[before.corners[corners]], others.corners)),
         offsets=np.concatenate(([0], np.cumsum(sizes))).astype(np.int32),
-        edges=np.concatenate((old, others.edges[new])).astype(np.int32),
-        corner_edges=np.concatenate(
-            ((np.cumsum(used) - 1)[before.corner_edges[corners]], edge[others.corner_edges])
-        ).astype(np.int32),
+        edges=np.concatenate((old, others.edges[new])),
+        corner_edges=np.concatenate((renumbered[kept_edges], edge[others.corner_edges].astype(np.int32))),
         sharp=np.concatenate((before.sharp[used], others.sharp[new])),
         material=np.concatenate((before.material[kept], others.material)),
     )
