@@ -42,7 +42,7 @@ class OBJECT_OT_sweep_bend(Operator):
         sweep, depsgraph = context.active_object, context.evaluated_depsgraph_get()
         made = []
         try:
-            shape = objects.from_object(sweep)
+            shape = objects.shapes(sweep.data)[0]
             for model in models(context):
                 made.append(bent.mesh(model, shape, "XYZ".index(self.axis), self.start, self.fit, depsgraph))
         except ShapeError as error:

@@ -18,7 +18,7 @@ FORMS = [
 
 
 class OBJECT_OT_sweep_copy(Operator):
-    """Copy the active sweep to the clipboard as text that makes it again"""
+    """Copy the active sweep or tree to the clipboard as text that makes it again"""
 
     bl_idname = "object.sweep_copy"
     bl_label = "Copy Sweep"
@@ -33,14 +33,14 @@ class OBJECT_OT_sweep_copy(Operator):
 
     @classmethod
     def poll(cls, context):
-        if objects.is_sweep(context.active_object):
+        if objects.is_made(context.active_object):
             return True
-        cls.poll_message_set("Make a sweep the active object")
+        cls.poll_message_set("Make a sweep the active object, or a tree")
         return False
 
     def execute(self, context):
         try:
-            shapes = objects.shapes(context.active_object.data)
+            shapes = objects.values(context.active_object)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

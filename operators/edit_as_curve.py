@@ -49,7 +49,7 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
             self.report({"ERROR"}, f"The object {ob.name!r} is animated: clear its animation first, the curve moves it")
             return {"CANCELLED"}
         try:
-            value = objects.from_object(ob)
+            value = objects.shapes(ob.data)[0]
             drawn = [MAKERS[name](value, f"{ob.name} {name.title()}") for name in made]
         except ShapeError as error:
             self.report({"ERROR"}, str(error))

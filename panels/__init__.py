@@ -5,9 +5,11 @@
 import bpy
 from bpy.utils import register_classes_factory
 
-from . import add_menu, frames, previews, sidebar
+from . import add_menu, csg, frames, previews, sidebar
 
-register_classes, unregister_classes = register_classes_factory((*add_menu.MENUS, sidebar.VIEW3D_PT_sweep))
+register_classes, unregister_classes = register_classes_factory(
+    (*add_menu.MENUS, csg.VIEW3D_PT_sweep_csg, sidebar.VIEW3D_PT_sweep)
+)
 
 
 def register():

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tab Sweep of the sidebar: the active shape's parameters, or what can be added, or why nothing can be done."""
 
-from textwrap import wrap
-
 from bpy.types import Panel
 
 from ..operators.add_shape import idname
@@ -16,12 +14,12 @@ from ..sweep_addon.core.resolving import MEETING
 from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes import CLASSIFICATION
 from . import previews
+from .sentences import sentences
 
 declared_layout, live, objects = later("bridge.layout"), later("properties.live"), later("bridge.objects")
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 PREVIEW = 2.6  # times as high as a line
-CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; most are narrower
 
 
 class VIEW3D_PT_sweep(Panel):
@@ -152,17 +150,3 @@ def draw_solid(layout, sweep, group, say):
 def is_like(other, mesh):
     """Whether an object is another sweep of the same shape, so that Blender changes both where Alt is held."""
     return objects.is_sweep(other) and other.data != mesh and other.data.sweep.kind == mesh.sweep.kind
-
-
-def sentences(context):
-    """A function that draws a sentence in as many lines as the sidebar's width asks for."""
-    pixels = context.region.width - 60 * context.preferences.system.ui_scale
-    width = max(int(pixels / (CHARACTER * context.preferences.system.ui_scale)), 12)
-
-    def say(layout, sentence, icon, alert=False):
-        column = layout.column(align=True)
-        column.alert = alert
-        for number, line in enumerate(wrap(sentence, width)):
-            column.label(text=line, icon="BLANK1" if number else icon)
-
-    return say

@@ -61,6 +61,7 @@ def arrays(mesh, ob):
 def require_apart(mesh, ob):
     """Refuse an input object that is made from the mesh itself, by way of others too."""
     from .objects import inputs, is_sweep  # which read models
+    from .trees import operands
 
     todo, seen = [ob], set()
     while todo:
@@ -70,4 +71,5 @@ def require_apart(mesh, ob):
         if other.data.original == mesh.original:
             raise ShapeError(f"must not be made from this sweep, as {ob.name!r} is")
         seen.add(other)
+        todo += operands(other)
         todo += inputs(other.data).values() if is_sweep(other) else ()

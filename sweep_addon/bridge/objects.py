@@ -7,6 +7,7 @@ from mathutils import Matrix
 
 from ..core.contours import Mixed
 from ..core.later import later
+from ..core.operand import Operand
 from ..core.parameters import ShapeError, at, parameters, require, spelled
 from ..core.sampling import rendered
 from ..core.shapes import SHAPES
@@ -14,6 +15,7 @@ from ..core.wording import titled
 from . import meshes, rna
 
 beside, curves, models = later("bridge.beside"), later("bridge.curves"), later("bridge.models")
+grove, trees = later("bridge.grove"), later("bridge.trees")
 
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 
@@ -51,18 +53,19 @@ def new_mesh(shape, name=None, **objects):
 
 
 def to_object(shape, name=None):
-    """A shape as a live object of the scene.
+    """A shape as a live object of the scene; a tree as one with Boolean modifiers.
 
     Parameters
     ----------
-    shape : a shape
+    shape : a shape, a solid or a tree
     name : str, optional
         Of the object and its mesh; by default the shape's.
 
     Returns
     -------
     bpy.types.Object
-        Linked to the scene's collection. Its parameters are ``object.data.sweep``.
+        Linked to the scene's collection. Its parameters are ``object.data.sweep``; the operands of a tree are its
+        children, in a collection of their own.
 
     Raises
     ------
@@ -77,6 +80,8 @@ def to_object(shape, name=None):
     >>> len(tube.data.vertices)
     16
     """
+    if isinstance(shape, Operand) and not isinstance(shape, SHAPES):
+        return grove.to_object(shape, name)
     mesh = new_mesh(shape, name)
     ob = bpy.data.objects.new(mesh.name, mesh)
     bpy.context.scene.collection.objects.link(ob)
@@ -84,21 +89,22 @@ def to_object(shape, name=None):
 
 
 def from_object(ob):
-    """The shape that an object shows, with its input objects read into it.
+    """The shape that an object shows, with its input objects read into it; of one with Boolean modifiers the tree.
 
     Parameters
     ----------
     ob : bpy.types.Object
-        One that ``to_object`` or the sidebar made.
+        One that ``to_object`` or the sidebar made, or any mesh with Boolean modifiers.
 
     Returns
     -------
-    A shape; of a trajectory of several splines, that along the first.
+    A shape; of a trajectory of several splines, that along the first. Or a `Tree`, in the space of the object; or a
+    `SweptSolid`, where a sweep or a tree moves.
 
     Raises
     ------
     ShapeError
-        Where the object is no sweep or its parameters are refused.
+        Where the object is no sweep and no tree, or its parameters are refused.
 
     Examples
     --------
@@ -108,8 +114,20 @@ def from_object(ob):
     True
     """
     known = isinstance(ob, bpy.types.Object)
-    require(known and is_sweep(ob), "must be a sweep", ob.name if known else ob, "object")
-    return shapes(ob.data)[0]
+    require(known and is_made(ob), "must be a sweep", ob.name if known else ob, "object")
+    return values(ob)[0]
+
+
+def values(ob):
+    """What an object shows: its tree, or its shapes."""
+    if trees.is_tree(ob) or trees.generator_of(ob):
+        return [trees.read(ob)]
+    return shapes(ob.data)
+
+
+def is_made(ob):
+    """Whether an object says how its mesh is made: by parameters, or by set operations."""
+    return is_sweep(ob) or ob is not None and ob.type == "MESH" and trees.is_tree(ob)
 
 
 def is_sweep(ob):

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What tests put into a scene of Blender, and what they read from it."""
 
+import bmesh
 import bpy
 import numpy as np
 
-from sweep_addon.bridge import objects
+from sweep_addon.bridge import models, objects
 from sweep_addon.core.contours import Circle
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.trajectories import Line
@@ -55,6 +56,24 @@ def places(mesh):
     values = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", values)
     return values.reshape(-1, 3).astype(float)
+
+
+def shown(ob):
+    """What an object shows, its modifiers applied, as a `Mesh` of triangles in its own space."""
+    bpy.context.view_layer.update()
+    return models.triangles(ob, scaled=False).mesh()
+
+
+def cube(side=1.0, place=(0, 0, 0), name="cube"):
+    """A plain mesh object: a cube about its place."""
+    data = bpy.data.meshes.new(name)
+    made = bmesh.new()
+    bmesh.ops.create_cube(made, size=side)
+    made.to_mesh(data)
+    made.free()
+    ob = add(name, data)
+    ob.location = place
+    return ob
 
 
 def straight(height=2.0):

@@ -10,6 +10,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
+from layouts import Layout, context_of
 from scenes import curve, parameters_of, select, square, straight, sweep, text
 
 import sweep_addon as sw
@@ -21,77 +22,10 @@ from sweep_addon.core.shapes import SHAPES
 MOST_CALLS = 150  # of the layout, in one draw: under 1 ms in a window
 
 
-class Layout:
-    """A layout that checks what it is asked to draw against what Blender knows, and writes it down."""
-
-    def __init__(self, drawn=None, folded=False):
-        self.drawn, self.folded = [] if drawn is None else drawn, folded
-
-    def part(self, **_):
-        self.drawn.append("part")
-        return Layout(self.drawn, self.folded)
-
-    row = column = split = box = part
-
-    def panel(self, idname, **_):
-        return self.part(), None if self.folded else self.part()
-
-    def label(self, text="", icon="NONE", icon_value=0):
-        assert icon in bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
-        self.drawn.append(text)
-
-    def template_icon(self, icon_value, scale):
-        assert icon_value >= 0 and scale > 0  # in background there are no icons, and each has the number 0
-        self.drawn.append("picture")
-
-    def progress(self, factor, text=""):
-        assert 0 <= factor <= 1
-        self.drawn.append(text)
-
-    def separator(self, **_):
-        self.drawn.append("separator")
-
-    def prop(self, data, name, text="", **_):
-        assert name in data.bl_rna.properties
-        self.drawn.append(name)
-
-    def menu(self, name, text="", icon="NONE"):
-        assert hasattr(bpy.types, name)
-        self.drawn.append(name)
-
-    def operator(self, idname, text="", icon="NONE", **_):
-        space, verb = idname.split(".")
-        known = getattr(getattr(bpy.ops, space), verb).get_rna_type()
-        self.drawn.append(idname)
-        return Options(known)
-
-
-class Options:
-    """The options of a button: only those that the operator has, and only values that it takes."""
-
-    def __init__(self, known):
-        object.__setattr__(self, "known", known)
-
-    def __setattr__(self, name, value):
-        option = self.known.properties[name]
-        assert option.type != "ENUM" or value in option.enum_items
-
-
 def drawn(ob=None, mode="OBJECT", width=300, folded=False, others=()):
     """All that the sidebar draws with this object active, and the words of it."""
-    context = SimpleNamespace(
-        active_object=ob,
-        object=ob,
-        mode=mode,
-        region=SimpleNamespace(width=width),
-        preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)),  # without a window it is 0
-        selected_objects=[*([ob] if ob else []), *others],
-        scene=bpy.context.scene,
-        window_manager=bpy.context.window_manager,
-        view_layer=bpy.context.view_layer,
-    )
     layout = Layout(folded=folded)
-    bpy.types.VIEW3D_PT_sweep.draw(SimpleNamespace(layout=layout), context)
+    bpy.types.VIEW3D_PT_sweep.draw(SimpleNamespace(layout=layout), context_of(ob, mode, width, others))
     return layout.drawn
 
 

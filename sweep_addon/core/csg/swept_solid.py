@@ -45,12 +45,12 @@ class SweptSolid(Operand):
         mesh = self.sweep().solid(progress)
         return mesh if dtype is None else mesh.astype(dtype)
 
-    def sweep(self):
-        """The same as a `GeneralSweep` of the solid's mesh."""
+    def sweep(self, generator=None):
+        """The same as a `GeneralSweep` of the solid's mesh, or of a generator that stands for that."""
         rigid = self.rigid
         turns = {f"turn_{axis}": getattr(rigid, f"turn_{axis}") for axis in "xyz"}
-        solid = Triangles.of(closed_mesh(self.solid))
-        return GeneralSweep(solid, rigid.trajectory, cells=self.cells, frame=rigid.frame, **turns)
+        generator = generator or Triangles.of(closed_mesh(self.solid))
+        return GeneralSweep(generator, rigid.trajectory, cells=self.cells, frame=rigid.frame, **turns)
 
     @property
     def rigid(self):

@@ -25,6 +25,10 @@ class Block(Operand):
 
     def mesh(self):
         """The surface as a `Mesh` of six faces."""
+        return self.sweep().mesh()
+
+    def sweep(self):
+        """The same as a `TranslationalSweep`."""
         from ..contours import Rectangle
 
         return prism(Rectangle(self.width, self.depth), self.height)

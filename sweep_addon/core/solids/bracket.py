@@ -33,6 +33,10 @@ class Bracket(Operand):
 
     def mesh(self):
         """The surface as a `Mesh`."""
+        return self.sweep().mesh()
+
+    def sweep(self):
+        """The same as a `TranslationalSweep`."""
         from ..contours import Outline
 
         w, d, t = self.width, self.depth, self.thickness

@@ -27,6 +27,10 @@ class Cylinder(Operand):
 
     def mesh(self):
         """The surface as a `Mesh`."""
+        return self.sweep().mesh()
+
+    def sweep(self):
+        """The same as a `TranslationalSweep`."""
         from ..contours import Circle
 
         return prism(Circle(self.radius, self.points), self.height)

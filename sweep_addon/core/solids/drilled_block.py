@@ -36,6 +36,10 @@ class DrilledBlock(Operand):
 
     def mesh(self):
         """The surface as a `Mesh`."""
+        return self.sweep().mesh()
+
+    def sweep(self):
+        """The same as a `TranslationalSweep`."""
         from ..contours import Circle, Outline, Rectangle
 
         sections = Rectangle(self.width, self.depth).section(), Circle(self.radius, self.points).section()

@@ -4,7 +4,7 @@
 
 
 def prism(contour, height):
-    """The surface of a prism about the origin.
+    """A prism about the origin as the shape that it is.
 
     Parameters
     ----------
@@ -14,8 +14,8 @@ def prism(contour, height):
 
     Returns
     -------
-    Mesh
+    TranslationalSweep
     """
     from ..translational_sweep import TranslationalSweep  # shapes have solids as parameters
 
-    return TranslationalSweep(contour, height=height, directions="symmetric", texture="none", attributes=False).mesh()
+    return TranslationalSweep(contour, height=height, directions="symmetric", texture="none", attributes=False)

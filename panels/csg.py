@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sweep-CSG in the sidebar: what can be combined, and the active tree, a row for each step."""
+
+from bpy.types import Panel
+
+from ..operators.combine import OPERATORS
+from ..sweep_addon.core.later import later
+from ..sweep_addon.core.parameters import parameters
+from .sentences import sentences
+
+declared_layout, objects = later("bridge.layout"), later("bridge.objects")
+operands, solvers, trees = later("bridge.operands"), later("bridge.solvers"), later("bridge.trees")
+
+LOOKED_AT = 100  # selected objects, for a second mesh among them: a draw takes no longer however many there are
+MOST_ROWS = 60
+ICONS = {"UNION": "SELECT_EXTEND", "INTERSECT": "SELECT_INTERSECT", "DIFFERENCE": "SELECT_SUBTRACT"}
+
+
+class VIEW3D_PT_sweep_csg(Panel):
+    """The active tree of set operations"""
+
+    bl_label = "Sweep-CSG"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Sweep"
+
+    @classmethod
+    def poll(cls, context):
+        ob = context.active_object
+        return context.mode == "OBJECT" and (trees.is_tree(ob) or can_combine(context) or bool(result_of(ob)))
+
+    def draw(self, context):
+        layout, ob = self.layout, context.active_object
+        if can_combine(context):
+            row = layout.row(align=True)
+            for operator in OPERATORS:
+                row.operator(operator.bl_idname)
+        if trees.is_tree(ob):
+            draw_tree(layout, context, ob)
+        elif result_of(ob):
+            row = layout.row()
+            row.label(text=f"Operand of {result_of(ob).name}", icon=ICONS[step_of(ob).operation])
+            row.operator("object.select_hierarchy", text="", icon="FILE_PARENT").direction = "PARENT"
+
+
+def can_combine(context):
+    """Whether the active object is a mesh, and another selected one is."""
+    active = context.active_object
+    if active is None or active.type != "MESH":
+        return False
+    return any(ob.type == "MESH" and ob != active for ob in context.selected_objects[:LOOKED_AT])
+
+
+def result_of(ob):
+    """The tree that an object moves with and is an operand of, or None."""
+    parent = ob.parent if ob else None
+    return parent if parent and ob in trees.operands(parent) else None
+
+
+def step_of(ob):
+    """The modifier of such an operand."""
+    return next(modifier for modifier in trees.booleans(ob.parent) if modifier.object == ob)
+
+
+def draw_tree(layout, context, ob):
+    """What the tree is, what is wrong with it, its steps, and the parameters of the operand that is picked."""
+    say = sentences(context)
+    steps = trees.booleans(ob)
+    layout.label(text=summary(steps))
+    draw_warnings(layout, ob, say)
+    picked = trees.picked(ob)
+    row = layout.row()
+    rows = list(lines(ob, 0, (ob,)))
+    column = row.column(align=True)
+    for owner, modifier, depth in rows[:MOST_ROWS]:
+        draw_step(column, ob, owner, modifier, depth, picked)
+    if len(rows) > MOST_ROWS:
+        say(column, f"{len(rows) - MOST_ROWS} more are in the tab of modifiers.", "INFO")
+    draw_buttons(row.column(align=True), ob, picked)
+    if picked and picked[1].object:
+        draw_operand(layout, picked[1].object, say)
+    row = layout.row(align=True)
+    row.operator("object.sweep_tree_duplicate", text="Duplicate")
+    row.operator("object.sweep_tree_collapse")
+    row.operator("object.sweep_tree_take_apart")
+    if not objects.is_sweep(ob):  # the panel of a sweep has these too
+        row = layout.row(align=True)
+        row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
+        row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+
+
+def summary(steps):
+    """How many operands there are, and which solver computes the steps."""
+    count, used = len(steps), {step.solver for step in steps}
+    solver = solvers.NAMES[used.pop()] + " solver" if len(used) == 1 else "several solvers"
+    return f"{count} operand{'' if count == 1 else 's'}, {solver}"
+
+
+def lines(ob, depth, above):
+    """Each step of a tree with the object that has it and how deep it is, those of an operand below the operand's."""
+    for modifier in trees.booleans(ob):
+        yield ob, modifier, depth
+        operand = modifier.object
+        if operand and operand not in above:
+            yield from lines(operand, depth + 1, (*above, operand))
+
+
+def draw_warnings(layout, ob, say):
+    """What keeps the tree from being what it says, each with what mends it."""
+    fast = any(step.solver == solvers.FAST for step in trees.booleans(ob))
+    parts = solvers.parts(ob)[:MOST_ROWS]
+    why = next(filter(None, (solvers.why_exact(ob, part, solvers.seems_closed) for part in parts)), "")
+    lacking = "" if fast else solvers.lacking()
+    if why or lacking:
+        say(layout, f"{why}." if why else lacking, "ERROR" if fast else "INFO")
+    meeting = list(filter(solvers.is_known_to_cross, parts))
+    for part in meeting:
+        say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
+    if meeting or bool(why) == fast and not lacking:
+        layout.operator("object.sweep_tree_choose_solver")
+    if any(step.object is None for step in trees.booleans(ob)):
+        say(layout, "An operand was deleted: its step does nothing.", "ERROR")
+    shared = next((operand for operand in trees.operands(ob) if owner_of(operand) not in (None, ob)), None)
+    if shared:
+        sentence = f"{shared.name!r} is an operand of {owner_of(shared).name!r} too: Duplicate Tree copies operands."
+        say(layout, sentence, "INFO")
+    if any(modifier.type != "BOOLEAN" for modifier in ob.modifiers):
+        say(layout, "Modifiers that are no Booleans are no part of the tree.", "INFO")
+
+
+def owner_of(operand):
+    """The tree that an operand moves with, or None."""
+    return next((above for above in operands.ancestors(operand) if operand in trees.operands(above)), None)
+
+
+def draw_step(layout, active, owner, modifier, depth, picked):
+    """A step: its operation, its operand's name, which picks it, and whether it is done."""
+    row = layout.row(align=True)
+    if depth:
+        row.separator(factor=2.0 * depth)
+    row.prop_menu_enum(modifier, "operation", text="", icon=ICONS[modifier.operation])
+    row.alert = modifier.object is None
+    name = modifier.object.name if modifier.object else "Deleted"
+    pick = row.operator("object.sweep_step_pick", text=name, depress=picked == (owner, modifier))
+    row.alert = False
+    icon = "HIDE_OFF" if modifier.show_viewport else "HIDE_ON"
+    mute = row.operator("object.sweep_step_mute", text="", icon=icon)
+    remove = None
+    if modifier.object is None:
+        remove = row.operator("object.sweep_step_extract", text="", icon="X")
+    for button in filter(None, (pick, mute, remove)):
+        button.step = modifier.name
+        if owner != active:
+            button.owner = owner.name
+
+
+def draw_buttons(layout, ob, picked):
+    """What can be done with the step that is picked."""
+    layout.enabled = bool(picked)
+    layout.operator("object.sweep_step_move", text="", icon="TRIA_UP").direction = "UP"
+    layout.operator("object.sweep_step_move", text="", icon="TRIA_DOWN").direction = "DOWN"
+    layout.operator("object.sweep_step_select", text="", icon="RESTRICT_SELECT_OFF")
+    layout.operator("object.sweep_step_extract", text="", icon="EXPORT")
+
+
+def draw_operand(layout, operand, say):
+    """The operand's place and its own parameters, to be changed without leaving the result."""
+    box = layout.box()
+    box.context_pointer_set("active_object", operand)  # of which the buttons of a list's items are
+    column = box.column()
+    column.use_property_split = True
+    sweep = objects.is_sweep(operand)
+    column.label(text=f"{operand.name}: {objects.title(objects.group_of(operand.data)[0]) if sweep else 'Mesh'}")
+    if sweep and operand.data.sweep.error:
+        say(column, operand.data.sweep.error, "ERROR", alert=True)
+    column.prop(operand, "location")
+    if sweep and operand.data.is_editable:
+        shape, group = objects.group_of(operand.data)
+        declared_layout.draw(column, group, parameters(shape))

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sentences in the sidebar, which has no lines of more than one line."""
+
+from textwrap import wrap
+
+CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; most are narrower
+
+
+def sentences(context):
+    """A function that draws a sentence in as many lines as the sidebar's width asks for."""
+    pixels = context.region.width - 60 * context.preferences.system.ui_scale
+    width = max(int(pixels / (CHARACTER * context.preferences.system.ui_scale)), 12)
+
+    def say(layout, sentence, icon, alert=False):
+        column = layout.column(align=True)
+        column.alert = alert
+        for number, line in enumerate(wrap(sentence, width)):
+            column.label(text=line, icon="BLANK1" if number else icon)
+
+    return say

@@ -1,0 +1,171 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solvers: which of Blender's computes the steps of a tree, and why."""
+
+from functools import cache
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..core.later import later
+from ..core.parameters import ShapeError
+from ..core.self_intersection import PREFIX
+from . import objects, trees
+
+crossings = later("bridge.crossings")
+
+MISSING = "This Blender has no manifold solver."
+FAST, SURE = "MANIFOLD", "EXACT"
+NAMES = {FAST: "manifold", SURE: "exact", "FLOAT": "float", "FAST": "float"}  # as Blender writes them
+
+
+def choose(ob):
+    """Give all steps of a tree the solver that suits them.
+
+    Parameters
+    ----------
+    ob : bpy.types.Object
+        The result.
+
+    Returns
+    -------
+    str
+        Why it is not the faster one; nothing where it is.
+    """
+    why = why_not_fast(ob)
+    for modifier in trees.booleans(ob):
+        modifier.solver = SURE if why else FAST
+        modifier.use_hole_tolerant = bool(why)
+    return why
+
+
+def why_not_fast(ob):
+    """Why the manifold solver cannot be used for a tree, as a sentence; nothing where it can."""
+    if not has_fast():
+        return f"{MISSING} The exact one is used, which is slower."
+    for each in parts(ob):
+        why = why_exact(ob, each, is_closed)
+        if why:
+            return f"{why}: the exact solver is used, which is slower."
+    return ""
+
+
+def why_exact(ob, part, closed):
+    """Why a part of a tree needs the exact solver, or nothing; how well is looked is up to a function of its mesh."""
+    if not closed(mesh_of(part)):
+        return f"{part.name!r} is not closed and manifold"
+    if is_mirrored(ob, part):
+        return f"{part.name!r} is mirrored, which the manifold solver turns inside out"
+    return ""
+
+
+def lacking():
+    """What is known of a manifold solver that is not there: nothing before somebody has asked for it."""
+    return MISSING if has_fast.cache_info().currsize and not has_fast() else ""
+
+
+@cache
+def has_fast():
+    """Whether this Blender's manifold solver does anything: some are built without it, and it is offered all the same.
+
+    Asked once, of two cubes in a scene of their own.
+    """
+    if FAST not in bpy.types.BooleanModifier.bl_rna.properties["solver"].enum_items:
+        return False
+    scene, made = bpy.data.scenes.new("Solver"), []
+    try:
+        for size in (1.0, 2.0):
+            mesh = bpy.data.meshes.new("Solver")
+            cube = bmesh.new()
+            bmesh.ops.create_cube(cube, size=size)
+            cube.to_mesh(mesh)
+            cube.free()
+            made.append(bpy.data.objects.new("Solver", mesh))
+            scene.collection.objects.link(made[-1])
+        made[0].location.x = 1.0
+        modifier = made[1].modifiers.new("Solver", "BOOLEAN")
+        modifier.object, modifier.solver = made[0], FAST
+        with bpy.context.temp_override(scene=scene, view_layer=scene.view_layers[0]):
+            shown = made[1].evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+            return len(shown.vertices) != len(made[1].data.vertices)
+    finally:
+        bpy.data.scenes.remove(scene)
+        bpy.data.batch_remove([*made, *(ob.data for ob in made)])
+
+
+def is_mirrored(ob, other):
+    """Whether another object is a mirror image in the space of an object, by the matrices that were last evaluated."""
+    return ob.matrix_world.is_negative != other.matrix_world.is_negative
+
+
+def parts(ob):
+    """The objects whose own meshes a tree is of: the result and its operands, and theirs."""
+    found, todo = [], [ob]
+    while todo:
+        other = todo.pop(0)
+        if other not in found:
+            found.append(other)
+            todo += trees.operands(other)
+    return found
+
+
+def mesh_of(ob):
+    """The mesh that an object brings to a tree: its own if it is a tree itself, or as its modifiers leave it."""
+    if not ob.modifiers or trees.is_tree(ob):
+        return ob.data
+    return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+
+
+def seems_closed(mesh):
+    """Whether there are as many sides of edges as faces have: all that a draw has time for."""
+    return len(mesh.loops) == 2 * len(mesh.edges) > 0
+
+
+def is_closed(mesh):
+    """Whether each edge has two faces that run along it in opposite directions."""
+    if not seems_closed(mesh):
+        return False
+    corners, along = np.empty((2, len(mesh.loops)), np.int32)
+    ends = np.empty(2 * len(mesh.edges), np.int32)
+    mesh.attributes[".corner_vert"].data.foreach_get("value", corners)
+    mesh.attributes[".corner_edge"].data.foreach_get("value", along)
+    mesh.attributes[".edge_verts"].data.foreach_get("value", ends)
+    forward = corners == ends.reshape(-1, 2)[along, 0]
+    count = len(mesh.edges)
+    return bool((np.bincount(along[forward], minlength=count) == 1).all() and forward.sum() == count)
+
+
+def make_solid(ob):
+    """Make a sweep that meets itself a solid, since solvers keep the overlap in silence.
+
+    Returns
+    -------
+    str
+        What a person should know of one that cannot be made a solid; nothing for any other.
+    """
+    if not crosses(ob):
+        return ""
+    _, group = objects.group_of(ob.data)
+    if hasattr(group, "make_solid") and ob.data.is_editable:
+        group.make_solid = True
+        return ""
+    return f"{ob.name!r} meets itself: where it does, what is left of it is undefined."
+
+
+def crosses(ob):
+    """Whether an object is a sweep that meets itself and is to be no solid."""
+    if not objects.is_sweep(ob) or getattr(objects.group_of(ob.data)[1], "make_solid", False):
+        return False
+    try:
+        return any(sentence.startswith(PREFIX) for sentence in crossings.told(ob.data, searched=False))
+    except ShapeError:
+        return False  # why it cannot be made is told already
+
+
+def is_known_to_cross(ob):
+    """The same as far as it has been looked for."""
+    sweep = ob.data.sweep if objects.is_sweep(ob) else None
+    if sweep is None or sweep.looked_at != sweep.made or PREFIX not in sweep.places:
+        return False
+    return not getattr(objects.group_of(ob.data)[1], "make_solid", False)

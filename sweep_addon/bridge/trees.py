@@ -1,0 +1,193 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sweep-CSG trees as Blender has them: objects and their Boolean modifiers, in the order of the stack.
+
+Nothing else remembers a tree. One that somebody makes or changes by hand in the modifiers' own panel is read as well.
+"""
+
+import bpy
+import numpy as np
+
+from ..core.csg import Placed, RigidMotion, Step, SweptSolid, Tree
+from ..core.csg.tree import DEEPEST
+from ..core.general_sweep import GeneralSweep
+from ..core.laws import Constant
+from ..core.parameters import ShapeError, at, require
+from ..core.solids import Triangles
+from . import models, objects
+
+OPERATIONS = {"UNION": "union", "INTERSECT": "intersection", "DIFFERENCE": "difference"}
+ROUNDING = 1e-6  # of matrices, which Blender keeps in single precision
+SHAPELESS = {"scale_x": Constant(1.0), "scale_y": Constant(1.0), "scale_z": Constant(1.0)}
+SHAPELESS |= {"deform_x": "x", "deform_y": "y", "deform_z": "z"}  # what a motion is that leaves the shape alone
+
+
+def booleans(ob):
+    """The Boolean modifiers of an object, muted ones and those without an operand among them."""
+    return [modifier for modifier in getattr(ob, "modifiers", ()) if modifier.type == "BOOLEAN"]
+
+
+def is_tree(ob):
+    """Whether an object is the result of set operations."""
+    return bool(booleans(ob))
+
+
+def steps(ob):
+    """The Boolean modifiers of an object that do something: neither muted nor without an operand."""
+    return [modifier for modifier in booleans(ob) if modifier.show_viewport and modifier.object]
+
+
+def operands(ob):
+    """The objects that an object's Boolean modifiers name, each once."""
+    return list(dict.fromkeys(modifier.object for modifier in booleans(ob) if modifier.object))
+
+
+def made_from(ob):
+    """All objects that an object's shown mesh follows: operands, inputs of sweeps, and what those follow; a set."""
+    found, todo = set(), [ob]
+    while todo:
+        other = todo.pop()
+        inputs = objects.inputs(other.data).values() if objects.is_sweep(other) else ()
+        new = {each for each in (*operands(other), *inputs) if each and each not in found}
+        found |= new
+        todo += new
+    return found
+
+
+def picked(ob):
+    """The step that a person has picked, with the object that has it: the active modifiers say so; None for the base.
+
+    Of a step whose operand is a tree that may be one of its steps.
+    """
+    found, seen = None, set()
+    while ob and ob not in seen:
+        seen.add(ob)
+        modifier = getattr(ob, "modifiers", None) and ob.modifiers.active
+        if not modifier or modifier.type != "BOOLEAN":
+            break
+        found, ob = (ob, modifier), modifier.object
+    return found
+
+
+def pick(ob, owner, step):
+    """Pick a step of a tree, of an operand too: make its modifier the active one, and those that lead to it."""
+    for above, modifier in path(ob, owner, ()) or ():
+        above.modifiers.active = modifier
+    owner.modifiers.active = step
+    if step.object and is_tree(step.object):
+        step.object.modifiers.active = None
+
+
+def path(ob, owner, above):
+    """The steps, each with its object, that lead from a tree to an object that is made into it: the first such way."""
+    if ob == owner:
+        return above
+    for modifier in booleans(ob):
+        if modifier.object and modifier.object not in [each for each, _ in above]:
+            found = path(modifier.object, owner, (*above, (ob, modifier)))
+            if found is not None:
+                return found
+    return None
+
+
+def read(ob):
+    """What an object shows as a value: a `Tree`, a shape, or the triangles of any other mesh.
+
+    Parameters
+    ----------
+    ob : bpy.types.Object
+        A mesh. Where it has Boolean modifiers, its other modifiers are no part of what is read.
+
+    Returns
+    -------
+    Operand
+        In the space of the object.
+
+    Raises
+    ------
+    ShapeError
+        Where parameters are refused, a modifier takes a collection, or an object is made from itself.
+    """
+    return node(ob, bpy.context.evaluated_depsgraph_get(), ())
+
+
+def node(ob, depsgraph, above):
+    """What an object shows, of which those above it are made."""
+    if ob in above:
+        raise ShapeError(f"must not be made from itself, as {ob.name!r} is")
+    require(len(above) <= DEEPEST, f"must be at most {DEEPEST} trees deep", len(above))
+    above = (*above, ob)
+    if not is_tree(ob):
+        return leaf(ob, depsgraph, above)
+    with at("base"):
+        base = leaf(ob, depsgraph, above)
+    made = []
+    for number, modifier in enumerate(steps_of_objects(ob), 1):
+        with at(f"steps.{number}.operand"):
+            operand = node(modifier.object, depsgraph, above)
+        made.append(Step(OPERATIONS[modifier.operation], placed(operand, between(ob, modifier.object, depsgraph))))
+    return Tree(base, made)
+
+
+def steps_of_objects(ob):
+    """The steps of an object, refused where one takes a collection and not an object."""
+    for modifier in booleans(ob):
+        if modifier.show_viewport and modifier.operand_type != "OBJECT":
+            raise ShapeError(f"{modifier.name!r} of {ob.name!r} must take an object, got a collection")
+    return steps(ob)
+
+
+def leaf(ob, depsgraph, above):
+    """What an object's own mesh is: its shape, or its triangles; those of an object without steps as modifiers leave
+    them."""
+    if not objects.is_sweep(ob):
+        bare = is_tree(ob) and not ob.data.is_editmode
+        return of_mesh(ob) if bare else models.triangles(ob, depsgraph, scaled=False)
+    found = objects.shapes(ob.data)
+    generator = generator_of(ob)
+    if generator:
+        with at("generator"):
+            solid = placed(node(generator, depsgraph, above), np.diag((*generator.scale, 1.0)))
+        found = [swept(shape, solid) for shape in found]
+    return found[0] if len(found) == 1 else Tree(found[0], [Step("union", other) for other in found[1:]])
+
+
+def of_mesh(ob):
+    """The triangles of an object's own mesh, whatever its modifiers make of it."""
+    vertices, faces = models.arrays(ob.data, ob)
+    return Triangles(vertices.reshape(-1, 3), faces.reshape(-1, 3))
+
+
+def generator_of(ob):
+    """The sweep or the tree that moves in the motion of an object that is a rigid general sweep; None for another."""
+    shape, group = objects.group_of(ob.data)
+    if shape is not GeneralSweep or group.generator != "OBJECT":
+        return None
+    generator = group.generator_object
+    followed = generator and generator.type == "MESH" and (is_tree(generator) or objects.is_sweep(generator))
+    return generator if followed and is_rigid(objects.shapes(ob.data)[0]) else None
+
+
+def is_rigid(sweep):
+    """Whether a general sweep leaves the shape of its generator alone."""
+    return all(getattr(sweep, name) == value for name, value in SHAPELESS.items())
+
+
+def swept(sweep, solid):
+    """The motion of a general sweep as that of a solid."""
+    turns = {f"turn_{axis}": getattr(sweep, f"turn_{axis}") for axis in "xyz"}
+    return SweptSolid(solid, RigidMotion(sweep.trajectory, sweep.frame, **turns), sweep.cells)
+
+
+def between(ob, other, depsgraph):
+    """Where another object stands in the space of an object: (4, 4) float array."""
+    base, operand = (np.array(each.evaluated_get(depsgraph).matrix_world, dtype=float) for each in (ob, other))
+    if not np.linalg.det(base[:3, :3]):
+        raise ShapeError(f"must not be scaled to nothing, as {ob.name!r} is")
+    return np.linalg.solve(base, operand)
+
+
+def placed(operand, matrix):
+    """An operand somewhere else; itself where that is nowhere else, but for single precision."""
+    size = max(np.abs(matrix).max(), 1.0)
+    return operand if np.abs(matrix - np.eye(4)).max() < ROUNDING * size else Placed(operand, matrix[:3])
