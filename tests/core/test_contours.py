@@ -59,6 +59,12 @@ def test_outlines_of_lines_and_arcs_have_their_area(outline):
     assert abs(section.area - outline["area"]) <= size / 1e5 * section.perimeters[0] + 1e-6 * outline["area"]
 
 
+@pytest.mark.parametrize("bulge", [1e-9, 1e-17, 1e-300, 5e-324])
+def test_an_arc_that_is_nearly_a_line_is_one_chord(bulge):
+    """Also where the cosine of its angle rounds to 1."""
+    assert len(Outline([square(1)], [(bulge, 0, -bulge, 0)]).section().points) == 4
+
+
 @pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5])
 def test_chords_of_a_bulge_keep_the_tolerance_and_turn_by_at_most_30_degrees(tolerance):
     section = Outline(loops=[[(-1, 0), (1, 0)]], bulges=[(1, 1)], tolerance=tolerance).section()

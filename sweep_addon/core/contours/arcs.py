@@ -28,9 +28,10 @@ def chords(start, end, bulges, tolerance):
     angle = np.abs(4 * np.arctan(bulges))
     straight = bulges == 0
     curvature = 4 * np.abs(bulges) / (1 + bulges**2) / np.where(straight, 1, np.hypot(*(end - start).T))
-    step = 2 * np.arccos(np.maximum(1 - tolerance * curvature, 0))
+    step = 4 * np.arcsin(np.sqrt(np.minimum(tolerance * curvature, 1) / 2))  # the cosine of flat arcs would round to 1
     step = np.where(straight, STEEPEST, np.minimum(step, STEEPEST))
-    return np.maximum(np.ceil(angle / step - ROUNDING), 1).astype(int)
+    count = np.divide(angle, step, out=np.zeros_like(angle), where=step > 0)
+    return np.maximum(np.ceil(count - ROUNDING), 1).astype(int)
 
 
 def arc_points(start, end, bulges, count):
