@@ -50,6 +50,7 @@ __all__ = [
     "reach",
     "sampling",
     "solids",
+    "sweep_to_csg",
     "trajectories",
 ]
 if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
@@ -67,6 +68,7 @@ LATER = {
     "to_object": ".bridge.objects",
     "from_object": ".bridge.objects",
     "reach": ".core.reach",
+    "sweep_to_csg": ".core.conversion",
 }
 
 
