@@ -11,11 +11,12 @@ from math import comb
 
 import numpy as np
 
+from .chebyshev import fitting
 from .drawn import affine
 from .frozen import individual
 from .sampling import SHORTEST_STEP, distinct
 from .trajectories.arc_length import arc_length, subdivided
-from .transport import ANGLES, NODES, ORDER
+from .transport import NODES, ORDER
 from .vectors import dot
 
 EXACT = 1e-13  # of the size: the last two terms of a span; the next are a hundredth of them
@@ -202,8 +203,7 @@ def power_series():
     return columns
 
 
-SERIES = 2 / ORDER * np.cos(np.arange(ORDER)[:, None] * ANGLES)  # from values at the nodes to Chebyshev's polynomials
-SERIES[0] /= 2
+SERIES = fitting(ORDER)
 POWERS = power_series()
 ABOVE = np.maximum(np.arange(ORDER)[:, None] - np.arange(ORDER), 0)  # of a power in a shifted polynomial, by how many
 BINOMIALS = np.array([[comb(degree, power) for power in range(ORDER)] for degree in range(ORDER)], dtype=float)

@@ -16,12 +16,13 @@ from functools import lru_cache
 
 import numpy as np
 
+from .chebyshev import angles, summed
 from .rotations import any_normal, rotated, signed_angle, turned
 from .trajectories.arc_length import arc_length, subdivided
 from .vectors import cross, dot, unit
 
 ORDER = 13  # nodes in a panel; odd, so that one is in the middle
-ANGLES = (np.arange(ORDER) + 0.5) * np.pi / ORDER
+ANGLES = angles(ORDER)
 NODES = np.cos(ANGLES)
 EXACT = 1e-14  # radians: the last two terms of a panel's integral; the next are a hundredth of them
 STRAIGHT = 1e-6  # radians in half a panel
@@ -60,7 +61,7 @@ class Transport:
         panel = np.clip(np.searchsorted(self.start, u, side="right") - 1, 0, len(self.start) - 1)
         start, end = self.start[panel], self.end[panel]
         x = np.clip((2 * u - start - end) / (end - start), -1.0, 1.0)
-        return unit(cross(tangents, self.axis[panel])), self.before[panel] + chebyshev(self.turning[:, panel], x)
+        return unit(cross(tangents, self.axis[panel])), self.before[panel] + summed(self.turning[:, panel], x)
 
 
 def panels(trajectory):
@@ -115,15 +116,6 @@ def integral():
     degree = np.arange(1, ORDER + 1)
     rising = (series[:-2] - series[2:]) / (2 * degree[:, None])  # the first of a series counts half
     return np.vstack((-((-1.0) ** degree) @ rising, rising))
-
-
-def chebyshev(coefficients, x):
-    """Sums of Chebyshev polynomials by Clenshaw's recurrence: (m, n) and (n,) to (n,)."""
-    last = before = np.zeros_like(x)
-    twice = 2 * x
-    for coefficient in coefficients[:0:-1]:
-        last, before = coefficient + twice * last - before, last
-    return coefficients[0] + x * last - before
 
 
 INTEGRAL = integral()

@@ -43,9 +43,12 @@ def crossing(lattice, first, last):
     apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
     first, last = first[:, apart], last[:, apart]
     a, b = quads(lattice, first), quads(lattice, last)
-    near = np.flatnonzero(reach_slabs(a, b))
-    near = near[reach_slabs(b[..., near], a[..., near])]
-    which, points = triangles_cross(a[..., near], b[..., near], TOUCHING * lattice.size)
+    tolerance = TOUCHING * lattice.size
+    near = np.flatnonzero(reach_slabs(a, b, tolerance))
+    a, b = a.take(near, axis=2), b.take(near, axis=2)
+    nearer = np.flatnonzero(reach_slabs(b, a, tolerance))
+    near, a, b = near[nearer], a.take(nearer, axis=2), b.take(nearer, axis=2)
+    which, points = triangles_cross(a, b, tolerance)
     return Crossings(*np.stack((first, last), axis=2)[:, near[which]], points.T)
 
 
@@ -53,34 +56,39 @@ def quads(lattice, cells):
     """The corners of cells, (2, k) bands and columns: (3, 4, k)."""
     band, column = cells
     used, which = np.unique(band, return_inverse=True)
-    points = np.moveaxis(lattice.points(np.stack((used, used + 1))), -1, 0)
-    ahead = lattice.grid.following[column]
-    return np.stack([points[:, ahead if beside else column, up, which] for beside, up in CORNERS], axis=1)
+    points = np.moveaxis(lattice.points(np.stack((used, used + 1), axis=1)), -1, 0)  # axis, column, band, ring
+    columns = column, lattice.grid.following[column]
+    corner = np.stack([(columns[beside] * len(used) + which) * 2 + up for beside, up in CORNERS])
+    return np.stack([part.ravel().take(corner) for part in points])
 
 
 def candidates(lattice, pairs):
     """The cells of pairs of stretches whose boxes meet: their bands and columns, (2, k) twice."""
     used, which = np.unique(pairs, return_inverse=True)
     levels = pyramid(lattice, used)
-    i, j = which.reshape(-1, 2).T
-    first, last = (np.stack((part, 0 * part, 0 * part)) for part in (i, j))
+    first, last = which.reshape(-1, 2).T
     start = stretches(lattice.bands, BANDS)[0][used]
+    first, last = overlapping(*levels[-1], first, last)
     for above, below in zip(levels[::-1], levels[-2::-1], strict=False):
-        first, last = overlapping(*above, first, last)
-        first, last = split(first, last, *(b // a for a, b in zip(above[0].shape[2:], below[0].shape[2:], strict=True)))
-        first, last = apart(first, last, start, BANDS // below[0].shape[2])
-    first, last = overlapping(*levels[0], first, last)
-    first, last = (np.stack((start[part[0]] + part[1], part[2])) for part in (first, last))
+        first, last = split(first, last, above[0].shape[2:], below[0].shape[2:])
+        first, last = apart(first, last, start, below[0].shape[2:])
+        first, last = overlapping(*below, first, last)
+    rows, columns = levels[0][0].shape[2:]
+    first, last = (
+        np.stack((start[box // (rows * columns)] + box // columns % rows, box % columns)) for box in (first, last)
+    )
     return first, last
 
 
-def apart(first, last, start, size):
-    """Those pairs of boxes, of so many bands each, in which some are beyond the next ones of others.
+def apart(first, last, start, shape):
+    """Those pairs of boxes, of so many rows and columns in each stretch, in which some bands are not next to others.
 
     A stretch also stands beside itself and its neighbours: most of its cells that are near each other fall out here.
     """
-    kept = start[last[0]] + (last[1] + 1) * size - start[first[0]] - first[1] * size > 2
-    return first[:, kept], last[:, kept]
+    size = BANDS // shape[0]
+    band = np.repeat((start[:, None] + size * np.arange(shape[0])).ravel(), shape[1])
+    kept = np.flatnonzero(band[last] - band[first] > 2 - size)
+    return (first, last) if len(kept) == len(first) else (first[kept], last[kept])
 
 
 def pyramid(lattice, used):
@@ -110,31 +118,33 @@ def pyramid(lattice, used):
 
 
 def overlapping(low, high, first, last):
-    """Those pairs of boxes that meet, a few of very many."""
-    a, b = np.ravel_multi_index(tuple(first), low.shape[1:]), np.ravel_multi_index(tuple(last), low.shape[1:])
+    """Those pairs of boxes, by their numbers, that meet: a few of very many."""
     low, high = low.reshape(3, -1), high.reshape(3, -1)
     for axis in range(3):
-        meet = np.flatnonzero((low[axis][a] <= high[axis][b]) & (low[axis][b] <= high[axis][a]))
-        a, b, first, last = a[meet], b[meet], first[:, meet], last[:, meet]
-    step = -(-len(a) // MOST)
-    return (first, last) if step < 2 else (first[:, ::step], last[:, ::step])
+        meet = low[axis].take(first) <= high[axis].take(last)
+        meet &= low[axis].take(last) <= high[axis].take(first)
+        meet = np.flatnonzero(meet)
+        first, last = first.take(meet), last.take(meet)
+    step = -(-len(first) // MOST)
+    return (first, last) if step < 2 else (first[::step], last[::step])
 
 
-def split(first, last, rows, columns):
-    """All pairs of the parts of pairs of boxes: (3, k) to (3, k * (rows * columns) ** 2) twice."""
-    parts = np.stack([part.ravel() for part in np.meshgrid(range(rows), range(columns), indexing="ij")])
-    count, pairs, size = parts.shape[1], first.shape[1], np.array([[1], [rows], [columns]])
-    first, last = (np.repeat(part * size, count**2, axis=1) for part in (first, last))
-    first[1:] += np.tile(np.repeat(parts, count, axis=1), pairs)
-    last[1:] += np.tile(np.tile(parts, count), pairs)
-    return first, last
+def split(first, last, above, below):
+    """All pairs of the parts of pairs of boxes, by their numbers among so many rows and columns in each stretch."""
+    rows, columns = below[0] // above[0], below[1] // above[1]
+    part = (below[1] * np.arange(rows)[:, None] + np.arange(columns)).ravel()
+    first, last = (box // above[1] * (rows * below[1]) + box % above[1] * columns for box in (first, last))
+    count = len(part)
+    return (first[:, None] + np.repeat(part, count)).ravel(), (last[:, None] + np.tile(part, count)).ravel()
 
 
-def reach_slabs(cells, others):
-    """Whether cells (3, 4, k) reach into the slabs between two planes that hold other ones: (k,) bool."""
-    normal = cross(others[:, 2] - others[:, 0], others[:, 3] - others[:, 1])[:, None]
-    over, own = (inner(part - others[:, :1], normal) for part in (cells, others))
-    return (over.min(axis=0) <= own.max(axis=0)) & (over.max(axis=0) >= own.min(axis=0))
+def reach_slabs(cells, others, tolerance):
+    """Whether cells (3, 4, k) reach farther than that into the slabs between two planes that hold others: (k,) bool."""
+    normal = cross(others[:, 2] - others[:, 0], others[:, 3] - others[:, 1])
+    own = inner(others[:, 1] - others[:, 0], normal)  # the diagonals lie in the two planes: those of 0 and 2, 1 and 3
+    least = tolerance * np.sqrt(inner(normal, normal))
+    over = inner(cells - others[:, :1], normal[:, None])
+    return (over.min(axis=0) <= np.maximum(own, 0.0) - least) & (over.max(axis=0) >= np.minimum(own, 0.0) + least)
 
 
 def triangles_cross(a, b, tolerance):

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arc length: how far along a trajectory each parameter is, and the way back."""
 
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
+from ..chebyshev import angles, fitting, summed
 from ..parameters import require
 
 # Gauss-Legendre quadrature with five nodes; numpy.polynomial, which knows them too, takes 3 ms to import.
@@ -20,6 +21,8 @@ SHORTEST = 1e-12  # metres
 EXACT = 1e-14  # of the whole length: how near a parameter is to its arc length
 FEW_STEPS, MOST_STEPS = 8, 60  # of Newton's method: more than a few only where the speed vanishes, or for rounding
 MOST_PANELS = 1 << 15  # more are taken as they are
+TERMS = 11  # of a polynomial for the way back in a panel
+MANY = 2  # arc lengths for each of these terms; for fewer the polynomials are not worth making
 
 
 class ArcLength:
@@ -73,12 +76,45 @@ class ArcLength:
         return self.lengths[panel] + self.measure(self.nodes[panel], u)
 
     def parameter(self, s):
-        """Parameters at arc lengths: (n,) to (n,), by Newton's method, and bisection where that leaves the panel.
+        """Parameters at arc lengths: (n,) to (n,).
 
-        It begins with the cubic through the ends of each panel.
+        Of many in one panel they are the values of a polynomial, where there is one that is exact to rounding.
         """
         s = np.asarray(s, dtype=float)
         panel = np.clip(np.searchsorted(self.lengths, s, side="right") - 1, 0, len(self.nodes) - 2)
+        if len(s) < MANY * TERMS * (len(self.nodes) - 1):
+            return self.searched(s, panel)
+        terms, exact = self.way_back
+        low, span = self.lengths[panel], self.lengths[panel + 1] - self.lengths[panel]
+        x = np.clip(2 * (s - low) / np.where(span, span, 1.0) - 1, -1.0, 1.0)
+        start, end = self.nodes[panel], self.nodes[panel + 1]
+        u = np.where(s > low, summed(terms[:, panel], x).clip(start, end), start)
+        others = np.flatnonzero(~exact[panel])
+        u[others] = self.searched(s[others], panel[others])
+        return u
+
+    @cached_property
+    def way_back(self):
+        """The parameters of each panel as a sum of Chebyshev polynomials of its arc lengths.
+
+        Returns
+        -------
+        terms : (TERMS, k) float array
+        exact : (k,) bool array
+            Whether the last two are no more than rounding; the next are a hundredth of them.
+        """
+        span, width = np.diff(self.lengths), np.diff(self.nodes)
+        s = self.lengths[:-1] + span * (1 + np.cos(angles(TERMS)))[:, None] / 2
+        u = self.searched(s.ravel(), np.tile(np.arange(len(span)), TERMS)).reshape(TERMS, -1)
+        terms = fitting(TERMS) @ u
+        missed = np.abs(terms[-2:]).sum(axis=0) * span / width
+        return terms, missed <= EXACT * self.total
+
+    def searched(self, s, panel):
+        """Parameters at arc lengths in panels, by Newton's method, and bisection where that leaves the panel.
+
+        It begins with the cubic through the ends of each panel.
+        """
         low, high = self.nodes[panel], self.nodes[panel + 1]
         start, reached = low.copy(), self.lengths[panel]
         span = self.lengths[panel + 1] - reached
