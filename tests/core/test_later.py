@@ -19,10 +19,10 @@ from sweep_addon.core.shapes import SHAPES
 LIBRARY = Path(__file__).resolve().parents[2] / "sweep_addon"
 # Modules of the core that enabling the extension may not import. What shapes are declared of has no need of them.
 WAITING = """
-    along bending bevels body boundary caps cells changing chart chebyshev closing components description digest dimensions domes
-    draft drawn enclosing envelope expressions facets forms functions grid hints in_plane jets joining kept laying
-    leaning matching mesh mitres motion parting polyhedron reach regularizing rotations runs search sheets spreading
-    steps transport triangulate trimming volume_true welding
+    along bending bevels body boundary caps cells changing chart chebyshev closing components description digest
+    dimensions domes draft drawn enclosing envelope expressions facets forms functions grid hints in_plane jets joining
+    kept laying leaning matching mesh mitres motion parting polyhedron reach regularizing rotations runs search sheets
+    spreading steps transport triangulate trimming volume_true welding
     contours.arcs contours.arrangement contours.crossing contours.filling contours.flatten contours.fonts contours.loops
     contours.nesting contours.orientation contours.planar contours.ranges contours.reading contours.rounding
     contours.section contours.svg contours.svg_document contours.symmetry

@@ -19,6 +19,7 @@ SPARSE = (256, 16, 1)  # every so many pairs of cells are looked at, until some 
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))  # of a cell: which column, its own or the next, and which ring
 TRIANGLES = np.array(((0, 1, 2), (0, 2, 3)))  # their corners
 NEXT = [1, 2, 0]  # corner of a triangle
+BLOCK = 4096  # edges and triangles
 
 
 class Crossings(NamedTuple):
@@ -184,14 +185,32 @@ def pierced(edges, over, triangles, tolerance):
 
     The corners of the others are so far over their planes, (3, k).
     """
-    over_end, way = over[NEXT], edges[:, NEXT] - edges
+    over_end = over[NEXT]
     through = (np.minimum(over, over_end) < -tolerance) & (np.maximum(over, over_end) > tolerance)
-    towards = triangles[:, :, None] - edges[:, None]
-    sides = inner(way[:, None], cross(towards, towards[:, NEXT]))
-    inside = ((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)) & (sides != 0).any(axis=0)
-    edge, which = np.nonzero(through & inside)
+    edge, which = np.nonzero(through)
+    count = edges.shape[2]
+    edges, begin, end = edges.reshape(3, -1), edge * count + which, (edge + 1) % 3 * count + which
+    start = edges.take(begin, axis=1)
+    way = edges.take(end, axis=1) - start
+    inside = np.concatenate([between_sides(*some) for some in blocks(start, way, triangles, which)])
+    edge, which, start, way = edge[inside], which[inside], start[:, inside], way[:, inside]
     share = over[edge, which] / (over[edge, which] - over_end[edge, which])
-    return which, edges[:, edge, which] + share * way[:, edge, which]
+    return which, start + share * way
+
+
+def blocks(start, way, triangles, which):
+    """Edges (3, m) and the triangles (3, 3, m) that they may go through, so many at a time that caches hold them."""
+    for first in range(0, max(len(which), 1), BLOCK):
+        some = slice(first, first + BLOCK)
+        yield start[:, some], way[:, some], triangles.take(which[some], axis=2)
+
+
+def between_sides(start, way, triangles):
+    """Whether edges (3, m), which end beyond the planes of triangles (3, 3, m), pass all sides alike: (m,) bool."""
+    towards = triangles - start[:, None]
+    sides = [inner(cross(way, towards[:, corner]), towards[:, after]) for corner, after in enumerate(NEXT)]
+    low, high = np.minimum.reduce(sides), np.maximum.reduce(sides)
+    return ((low >= 0) & (high > 0)) | ((high <= 0) & (low < 0))
 
 
 def inner(a, b):

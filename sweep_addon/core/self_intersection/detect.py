@@ -82,8 +82,8 @@ def stretches_met(lattice, found):
     step = norms(np.diff(lattice.path, axis=0)).mean()
     block = max(BANDS, int(2 * lattice.radii.max() / step))  # as long as the contour is wide
     count = max(lattice.bands // block, 1)
-    keys, which = np.unique(found.bands * count // lattice.bands, axis=0, return_inverse=True)
-    group = groups(keys, count, lattice.closed)[which.ravel()]
+    numbers, which = np.unique(found.bands * count // lattice.bands @ (count, 1), return_inverse=True)
+    group = groups(np.stack(np.divmod(numbers, count), axis=1), count, lattice.closed)[which]
     places = []
     for number in range(group.max() + 1):
         members = group == number
