@@ -69,11 +69,14 @@ class Outline:
         """What the lines and arcs enclose, holes taken off, in square metres; 0 where they are open."""
         if not self.closed:
             return 0.0
-        corners, offsets, bulges = self.edges()
-        start, end = corners, corners[following(offsets)]
-        straight = sections.Section(corners, offsets, np.zeros(len(corners), dtype=bool)).areas
-        loops = np.abs(straight + np.add.reduceat(segments(start, end, bulges), offsets[:-1]))
+        loops = np.abs(self.signed_areas())
         return float(loops @ np.where(self.section().depth % 2, -1, 1))
+
+    def signed_areas(self):
+        """What the lines and arcs of each loop enclose, in square metres, positive where it runs counter-clockwise."""
+        corners, offsets, bulges = self.edges()
+        straight = sections.Section(corners, offsets, np.zeros(len(corners), dtype=bool)).areas
+        return straight + np.add.reduceat(segments(corners, corners[following(offsets)], bulges), offsets[:-1])
 
     def section(self):
         """The flattened loops as a `Section`; made once for equal outlines."""

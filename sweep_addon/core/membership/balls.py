@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The union of all balls that a trajectory carries: what a canal surface bounds."""
+
+from functools import cached_property
+
+import numpy as np
+
+from ..balls import Balls
+from ..canal_surface import BallEnd
+from ..parameters import require
+from ..vectors import dot, norms
+from .bodies import Body
+from .hash import Boxes
+from .panels import NODES, derivative, panels, powers, slopes
+from .ways import PARTS, apart
+
+LOOKED = 65
+CHUNK = 1 << 14
+STEPS = 9
+PLACES = np.concatenate(([-1.0], NODES, [1.0]))
+ROOM = 1.2  # for what is faster between the places
+
+
+class BallsBody(Body):
+    """All points of all balls of a `CanalSurface` with round ends.
+
+    A point is as deep as it is in the ball of which it is deepest: the least of ``|P - t(s)| - r(s)``.
+    """
+
+    def __init__(self, shape):
+        require(not shape.is_plane, "must be a ball: discs in a plane bound no solid", "disc", "generator")
+        closed = bool(shape.trajectory.closed)
+        for key in ("start", "end"):
+            rounded = closed or getattr(shape, key) is BallEnd.ROUND
+            require(rounded, "must be round: only all balls together are a set", getattr(shape, key).name.lower(), key)
+        balls = Balls(shape.trajectory, shape.radius)
+        measure = balls.measure
+
+        def channels(s):
+            u = measure.parameter(s)
+            return np.column_stack((shape.trajectory.evaluate(u), balls.radius(u, s)))
+
+        joints = measure.at(np.concatenate((shape.trajectory.joints(), balls.kinks.ravel())))
+        looked = channels(np.linspace(0.0, measure.total, LOOKED))
+        sizes = np.append(np.full(3, np.abs(looked[:, :3]).max()), np.abs(looked[:, 3]).max())
+        self.panels = panels(channels, apart(joints, measure.total), PARTS, np.maximum(sizes, sizes.max() * 1e-3))
+        low, high = self.panels.bounds
+        radius = np.maximum(np.abs(low[:, 3]), np.abs(high[:, 3]))[:, None]
+        self.low, self.high = low[:, :3] - radius, high[:, :3] + radius
+        self.box = np.stack((self.low.min(axis=0), self.high.max(axis=0)))
+        self.hash = Boxes.of(self.low, self.high)
+
+    def labels(self, points, tolerance):
+        """IN, ON or OUT for points (n, 3): (n,) int8."""
+        labels = np.empty(len(points), dtype=np.int8)
+        for start in range(0, len(points), CHUNK):
+            some = points[start : start + CHUNK]
+            labels[start : start + CHUNK] = super().labels(some, tolerance)
+        return labels
+
+    def distance(self, points):
+        """How far points (n, 3) are from the nearest ball that may reach them, negative inside; infinite far out."""
+        found = np.full(len(points), np.inf)
+        point, panel = self.hash.pairs(points)
+        if not len(point):
+            return found
+        series, places = self.panels.series[panel], points[point]
+        way = -series[:, :3]
+        way[:, :, 0] += places
+        depth = self.least(way, series[:, 3], self.gaps[panel])
+        first = np.flatnonzero(np.append(True, np.diff(point) > 0))
+        found[point[first]] = np.minimum.reduceat(depth, first)
+        return found
+
+    @cached_property
+    def gaps(self):
+        """By how much the depth can change between two places that are looked at, in each panel: (k,)."""
+        rates = np.einsum("kcj,ij->kic", self.panels.series, slopes(PLACES))
+        return ROOM * np.diff(PLACES).max() * (norms(rates[..., :3]) + np.abs(rates[..., 3])).max(axis=1)
+
+    def least(self, way, radius, gaps):
+        """The least of |way| - radius in each panel, both series: (n, 3, ORDER), (n, ORDER) to (n,).
+
+        Some places are looked at, and where they leave the sign open Newton's method goes on from the best of them.
+        """
+        basis = powers(PLACES)
+        depth = np.sqrt((np.einsum("ncj,ij->nci", way, basis) ** 2).sum(axis=1)) - radius @ basis.T
+        best = depth.argmin(axis=1)
+        least = depth[np.arange(len(best)), best]
+        near = np.flatnonzero(np.abs(least) <= gaps)
+        least[near] = self.refined(way[near], radius[near], best[near], least[near])
+        return least
+
+    def refined(self, way, radius, best, least):
+        """The least near the best of the places, by Newton's method, halving where that leaves the neighbours."""
+        x, low, high = (PLACES[np.clip(best + side, 0, len(PLACES) - 1)] for side in (0, -1, 1))
+        rates = derivative(way), derivative(radius)
+        bends = derivative(rates[0]), derivative(rates[1])
+        for _ in range(STEPS):
+            basis = powers(x)
+            at, rate, bend = (np.einsum("ncj,nj->nc", part, basis) for part in (way, rates[0], bends[0]))
+            r, r_rate, r_bend = (np.einsum("nj,nj->n", part, basis) for part in (radius, rates[1], bends[1]))
+            far = np.maximum(np.sqrt(dot(at, at)), 1e-300)
+            least = np.minimum(least, far - r)
+            away = dot(at, rate) / far
+            slope, bend = away - r_rate, (dot(rate, rate) + dot(at, bend) - away**2) / far - r_bend
+            low, high = np.where(slope < 0, x, low), np.where(slope > 0, x, high)
+            after = x - slope / np.where(bend > 0, bend, np.inf)
+            x = np.where((bend > 0) & (after > low) & (after < high), after, (low + high) / 2)
+        return least

@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Round ends as sets of points: contours that shrink towards a tip as those of half a ball do."""
+
+import numpy as np
+
+from ..vectors import norms
+from .labels import IN, ON, OUT
+
+TINY = 1e-9  # of the contour: less is the tip
+
+
+def in_dome(dome, region, points, tolerance):
+    """IN, ON or OUT for points (n, 3): (n,) int8."""
+    way = points - dome.middle
+    height = way @ dome.outward
+    part = np.clip(height / dome.height, 0.0, 1.0)
+    shrunk = np.sqrt(1 - part**2)
+    places = way @ dome.axes.T / dome.scales
+    images = dome.centre + (places - dome.centre) / np.maximum(shrunk, TINY)[:, None]
+    depth, outward = region.exact(images, np.full(len(points), dome.parameter))
+    across = outward / (dome.scales * np.maximum(shrunk, TINY)[:, None])
+    # of a place above the plane the image moves away from the centre as it rises
+    rising = (outward * (images - dome.centre)).sum(axis=1) * part / (np.maximum(shrunk, TINY) ** 2 * dome.height)
+    distance = depth / np.sqrt((across**2).sum(axis=1) + rising**2)
+    tip = dome.middle + dome.centre * dome.scales @ dome.axes + dome.height * dome.outward
+    distance = np.where(norms(points - tip) <= tolerance, 0.0, distance)
+    present = (distance <= tolerance) & (height >= -tolerance) & (height <= dome.height + tolerance)
+    inside = (distance < -tolerance) & (height > tolerance)
+    return np.where(inside, IN, np.where(present, ON, OUT)).astype(np.int8)

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Regions that change on the way: polygons whose points move, as those of morphs and of drafts do."""
+
+import numpy as np
+
+from ..runs import following
+from ..vectors import dot, norms, unit
+
+CHUNK = 1 << 18  # pairs of points and edges at a time
+STEP = 1e-6  # of the way: over which growth is taken
+
+
+class Drawn:
+    """A polygon that depends on a parameter.
+
+    Parameters
+    ----------
+    at : callable
+        From parameters (n,) to its points (n, m, 2), loops one after the other, the region on their left.
+    offsets : (k + 1,) int array
+        Where each loop begins.
+    ends : (2,) float array
+        The least and the greatest parameter.
+    looked : (p,) float array
+        Parameters between which no point leaves the box of those there.
+    """
+
+    def __init__(self, at, offsets, looked):
+        self.at, self.ahead, self.ends = at, following(offsets), looked[[0, -1]]
+        points = at(looked).reshape(-1, 2)
+        self.box = np.stack((points.min(axis=0), points.max(axis=0)))
+
+    def depth(self, points, parameters):
+        """How far points (n, 2) are from the boundary, negative inside: (n,)."""
+        return self.exact(points, parameters)[0]
+
+    def exact(self, points, parameters):
+        """The same, and unit vectors away from the boundary: (n,), (n, 2)."""
+        depth, outward = np.empty(len(points)), np.empty((len(points), 2))
+        size = max(CHUNK // len(self.ahead), 1)
+        for start in range(0, len(points), size):
+            some = slice(start, start + size)
+            depth[some], outward[some] = nearest(points[some], self.at(parameters[some]), self.ahead)
+        return depth, outward
+
+    def growth(self, points, parameters):
+        """How fast the distance grows as the parameter does, where points stay: (n,)."""
+        step = STEP * (self.ends[1] - self.ends[0])
+        before, after = (np.clip(parameters + side * step, *self.ends) for side in (-1, 1))
+        return (self.depth(points, after) - self.depth(points, before)) / (after - before)
+
+
+def nearest(points, corners, ahead):
+    """How far points (n, 2) are from a polygon each, (n, m, 2), negative inside, and the way from it: (n,), (n, 2).
+
+    Inside is where a ray along x crosses an odd number of edges.
+    """
+    start, end = corners, corners[:, ahead]
+    along, way = end - start, points[:, None] - start
+    squares = dot(along, along)
+    share = np.clip(dot(way, along) / np.where(squares > 0, squares, 1.0), 0.0, 1.0)
+    off = way - share[..., None] * along
+    far = np.where(squares > 0, dot(off, off), np.inf)
+    edge = far.argmin(axis=1)
+    row = np.arange(len(points))
+    above, below = way[..., 1] < 0, points[:, None, 1] < end[..., 1]  # the start is above, the end is
+    left = along[..., 0] * way[..., 1] - along[..., 1] * way[..., 0] > 0
+    inside = ((above != below) & (left == below)).sum(axis=1) % 2 == 1
+    off, least = off[row, edge], np.sqrt(far[row, edge])
+    normal = along[row, edge][:, ::-1] * (1, -1)
+    side = np.where(inside, -1.0, 1.0)
+    outward = np.where((least > 1e-12 * norms(along[row, edge]))[:, None], off * side[:, None], normal)
+    return side * least, unit(outward)

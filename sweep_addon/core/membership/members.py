@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What tells of each kind of shape if points are in it, by ``labels(points, tolerance)``, ``distance`` and ``box``."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from .. import solids
+from ..canal_surface import CanalSurface
+from ..contours import Circle, Contour, Outline, Rectangle
+from ..csg import Placed, SweptSolid, Tree
+from ..general_sweep import GeneralSweep
+from ..generalized_cylinder import GeneralizedCylinder
+from ..laws import Constant
+from ..motion import Motion
+from ..offset_surface import OffsetSurface
+from ..parameters import at, require, spelled
+from ..pd_curve_sweep import PDCurveSweep
+from ..rotational_sweep import RotationalSweep
+from ..translational_sweep import TranslationalSweep
+from . import ways
+from .balls import BallsBody
+from .bodies import BallBody, MeshBody, OffsetBody
+from .moving_plane import MovingPlane
+from .moving_solid import MovingSolid
+from .prisms import Meshed, Prism
+from .regions import region
+from .smooth import Superdisc
+from .trees import PlacedMember, TreeMember
+
+UNSCALED = (Constant(1.0),) * 3
+
+
+@lru_cache(maxsize=64)
+def member(shape):
+    """The set of points of a shape, a solid or a tree.
+
+    Raises
+    ------
+    ShapeError
+        For what has no inside.
+    """
+    made = next((made for kind, made in KINDS.items() if isinstance(shape, kind)), None)
+    require(made, "must be a shape, a solid or a tree", shape, "shape")
+    return made(shape)
+
+
+def planar(way_of):
+    """What makes the member of a planar shape from its way."""
+
+    def made(shape):
+        return Meshed(MovingPlane(way_of(shape)), lambda: MeshBody(shape.solid()))
+
+    return made
+
+
+def translated(shape):
+    """A translational sweep; an upright one of lines and arcs has a distance of its own."""
+    plane = MovingPlane(ways.of_translation(shape))
+    upright = not shape.is_drafted and not np.any(shape.way[:2])
+    if upright and not isinstance(region(shape.contour), Superdisc):
+        low, high = shape.heights()[[0, -1]]
+        return Prism(plane, region(shape.contour), -np.array(ways.reference_of(shape)), low, high)
+    return Meshed(plane, lambda: MeshBody(shape.solid()))
+
+
+def prism(contour, height):
+    """A solid that is a contour along z, as far down as up."""
+    return translated(TranslationalSweep(contour, height, "symmetric"))
+
+
+def drilled(block):
+    """A block less a cylinder."""
+    return TreeMember(
+        prism(Rectangle(block.width, block.depth), block.height),
+        [("difference", prism(Circle(block.radius), 2 * block.height))],
+    )
+
+
+def bracket(solid):
+    w, d, t = solid.width, solid.depth, solid.thickness
+    return prism(Outline([[(0, 0), (w, 0), (w, t), (t, t), (t, d), (0, d)]]), solid.height)
+
+
+def tree(shape):
+    """A tree, its operands each as they are."""
+    with at("base"):
+        base = member(shape.base)
+    steps = []
+    for number, step in enumerate(shape.steps, 1):
+        with at(f"steps.{number}.operand"):
+            steps.append((spelled(step.operation), member(step.operand)))
+    return TreeMember(base, steps)
+
+
+def placed(shape):
+    with at("solid"):
+        return PlacedMember(shape, member(shape.solid))
+
+
+def moving(shape):
+    """A solid that moves."""
+    rigid = shape.rigid
+    turns = rigid.turn_x, rigid.turn_y, rigid.turn_z
+    with at("solid"):
+        return MovingSolid(member(shape.solid), Motion(rigid.trajectory, rigid.frame, turns, UNSCALED, ("x", "y", "z")))
+
+
+def general(shape):
+    """A general sweep: of a planar figure by its plane, of a solid by the way back."""
+    if isinstance(shape.generator, Contour):
+        return planar(ways.of_planar)(shape)
+    stiff = not shape.motion.deforms and all(scale == UNSCALED[0] for scale in shape.motion.scales)
+    require(
+        isinstance(shape.generator, solids.Solid),
+        "must be a contour or a solid",
+        spelled(type(shape.generator)),
+        "generator",
+    )
+    require(stiff, "must neither scale nor deform a solid", "another", "scale_x")
+    with at("generator"):
+        return MovingSolid(member(shape.generator), shape.motion)
+
+
+KINDS = {
+    GeneralizedCylinder: planar(ways.of_cylinder),
+    TranslationalSweep: translated,
+    RotationalSweep: planar(ways.of_rotation),
+    PDCurveSweep: planar(ways.of_pd_curve),
+    CanalSurface: BallsBody,
+    OffsetSurface: OffsetBody,
+    GeneralSweep: general,
+    solids.Block: lambda block: prism(Rectangle(block.width, block.depth), block.height),
+    solids.Cylinder: lambda rod: prism(Circle(rod.radius), rod.height),
+    solids.Bracket: bracket,
+    solids.DrilledBlock: drilled,
+    solids.Ball: BallBody,
+    solids.Triangles: lambda body: MeshBody(body.mesh()),
+    Tree: tree,
+    Placed: placed,
+    SweptSolid: moving,
+}

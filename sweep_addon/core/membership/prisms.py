@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Upright prisms and solids of revolution with a distance: a contour's region along an axis, or around it."""
+
+import numpy as np
+
+
+class Prism:
+    """A planar sweep along z that is also known by its distance.
+
+    Parameters
+    ----------
+    plane : MovingPlane
+        The same as a set of points.
+    region : Disc or Loops
+    aside : (2,) float array
+        Where the contour's origin is.
+    low, high : float
+        Between which heights.
+    """
+
+    def __init__(self, plane, region, aside, low, high):
+        self.plane, self.region, self.aside, self.ends, self.box = plane, region, aside, (low, high), plane.box
+
+    def labels(self, points, tolerance):
+        """IN, ON, OUT or TOUCHED for points (n, 3): (n,) int8."""
+        return self.plane.labels(points, tolerance)
+
+    def distance(self, points):
+        """How far points (n, 3) are from the surface, negative inside: (n,)."""
+        across = self.region.exact(points[:, :2] - self.aside)[0]
+        along = np.maximum(self.ends[0] - points[:, 2], points[:, 2] - self.ends[1])
+        outside = np.hypot(np.maximum(across, 0.0), np.maximum(along, 0.0))
+        return outside + np.minimum(np.maximum(across, along), 0.0)
+
+
+class Meshed:
+    """A planar sweep whose distance is that of its mesh.
+
+    Parameters
+    ----------
+    plane : member
+    body : callable
+        Makes the `MeshBody` of the shape.
+    """
+
+    def __init__(self, plane, body):
+        self.plane, self.box, self.body, self.made = plane, plane.box, body, None
+
+    def labels(self, points, tolerance):
+        """IN, ON, OUT or TOUCHED for points (n, 3): (n,) int8."""
+        return self.plane.labels(points, tolerance)
+
+    def distance(self, points):
+        """How far points (n, 3) are from the mesh, negative inside: (n,)."""
+        self.made = self.made or self.body()
+        return self.made.distance(points)

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The region of the plane that a contour bounds: its true curves where they have an equation, else its polygon."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from ..contours import Circle, Ellipse, Fit, Outline, Superellipse, all_fitted
+from ..parameters import require
+from ..runs import run_of
+from .loops import Loops
+from .smooth import Disc, Superdisc
+
+
+@lru_cache(maxsize=64)
+def region(contour):
+    """The region of a contour about its reference point.
+
+    Parameters
+    ----------
+    contour : Contour or Mixed
+        Of a mixed one what is of two dimensions.
+
+    Returns
+    -------
+    Disc, Superdisc or Loops
+
+    Raises
+    ------
+    ShapeError
+        Where the contour bounds nothing.
+
+    Examples
+    --------
+    >>> from ..contours import Rectangle
+    >>> round(float(region(Rectangle(2.0, 2.0, rounding=0.5)).exact(np.array([(1.0, 1.0)]))[0][0]), 6)
+    0.207107
+    """
+    if isinstance(contour, Circle):
+        return Disc(contour.radius)
+    if isinstance(contour, Ellipse):
+        return Superdisc((contour.radius_x, contour.radius_y), 2.0)
+    if isinstance(contour, Superellipse) and contour.exponent >= 1:
+        return Superdisc(contour.half, contour.exponent)
+    if isinstance(contour, Outline) and contour.closed and contour.edges()[2].any():
+        return of_arcs(contour)
+    if getattr(contour, "rounding", 0.0):
+        return of_corners(*contour.corners())
+    sections = [section for section in all_fitted(contour, Fit.INSCRIBED) if section and section.closed]
+    require(sections, "must be closed: only a solid has an inside", "an open one", "contour")
+    return of_sections(sections)
+
+
+def of_sections(sections):
+    """The region of some `Section`s that do not overlap."""
+    points = np.concatenate([section.points for section in sections])
+    sizes = np.concatenate([np.diff(section.offsets) for section in sections])
+    return Loops.of(points, np.append(0, np.cumsum(sizes)), np.zeros(len(points)))
+
+
+def of_arcs(outline):
+    """The region of an outline's own lines and arcs, outer loops counter-clockwise and holes clockwise."""
+    corners, offsets, bulges = outline.edges()
+    areas = outline.signed_areas()
+    turned = (areas > 0) != (outline.section().depth % 2 == 0)
+    first, loop = offsets[:-1][run_of(offsets)], run_of(offsets)
+    place, size = np.arange(len(corners)) - first, np.diff(offsets)[loop]
+    back = first + (-place) % size
+    before = first + (-place - 1) % size
+    points = np.where(turned[loop][:, None], corners[back], corners)
+    return Loops.of(points, offsets, np.where(turned[loop], -bulges[before], bulges))
+
+
+def of_corners(centres, radius, first, turn, points):
+    """The region of a convex figure with round corners, as `contours.rounding` has them."""
+    angles = np.stack((first, first + turn), axis=1)
+    ends = centres[:, None] + radius * np.stack((np.cos(angles), np.sin(angles)), axis=2)
+    bulges = np.tile((np.tan(turn / 4), 0.0), len(centres))
+    ends = ends.reshape(-1, 2)
+    kept = np.hypot(*(np.roll(ends, -1, axis=0) - ends).T) > 1e-12 * radius  # sides that the arcs leave nothing of
+    return Loops.of(ends[kept], np.array([0, kept.sum()]), bulges[kept])
+
+
+class Still:
+    """A region that is the same all along the way."""
+
+    def __init__(self, region):
+        self.region, self.box, self.depth_of = region, region.box, region.depth
+
+    def depth(self, points, parameters):
+        """How far points (n, 2) are from the boundary, negative inside, away from it at least: (n,)."""
+        return self.region.depth(points)
+
+    def exact(self, points, parameters):
+        """The distance from the boundary, and the unit vectors away from it: (n,), (n, 2)."""
+        return self.region.exact(points)
+
+    def growth(self, points, parameters):
+        """How fast the distance grows as the contour changes: it does not."""
+        return 0.0
