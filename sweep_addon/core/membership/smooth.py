@@ -73,5 +73,5 @@ class Superdisc:
         part = scaled / most[:, None]  # so that no power overflows
         sums = (part**self.exponent).sum(axis=1)
         level = most * sums ** (1 / self.exponent)
-        slope = part ** (self.exponent - 1) * (sums ** (1 / self.exponent - 1))[:, None]
+        slope = part ** (self.exponent - 1) * (np.maximum(sums, LEAST) ** (1 / self.exponent - 1))[:, None]
         return level, slope * np.sign(points) / self.half
