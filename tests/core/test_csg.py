@@ -27,6 +27,7 @@ def test_operators_make_steps_and_brackets_make_operands():
         ((BLOCK - ROD) & (TUBE | ROD), "(Block - Cylinder) & (GeneralizedCylinder | Cylinder)"),
         (sw.SweptSolid(BLOCK - ROD), "sweep(Block - Cylinder)"),
         (BLOCK - ROD.moved(x=1), "Block - Cylinder"),
+        (ROD | sw.SweptContour(sw.contours.Circle(0.1), sw.trajectories.Line()), "Cylinder | (Circle * Line)"),
     ],
 )
 def test_a_tree_prints_as_the_expression_that_makes_it(tree, line):
@@ -96,6 +97,23 @@ def test_what_is_no_tree_is_refused(make, sentence):
     with pytest.raises(sw.ShapeError) as refused:
         make()
     assert str(refused.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    "by, shape",
+    [
+        (sw.Translation(2.0, (1, 0, 2)), sw.TranslationalSweep(sw.contours.Circle(0.3), 2.0, direction=(1, 0, 2))),
+        (sw.Rotation(3.0, axis_point=(-1, 0)), sw.RotationalSweep(sw.contours.Circle(0.3), 3.0, axis_point=(-1, 0))),
+        (sw.trajectories.Helix(), sw.GeneralizedCylinder(sw.contours.Circle(0.3), sw.trajectories.Helix())),
+        (sw.RigidMotion(turn_z="t"), sw.GeneralSweep(sw.contours.Circle(0.3), turn_z="t")),
+    ],
+)
+def test_a_contour_and_a_transformation_make_a_sweep(by, shape):
+    primitive = sw.SweptContour(sw.contours.Circle(0.3), by)
+    assert primitive.sweep() == shape
+    assert sw.load(sw.dump(primitive - BLOCK)) == primitive - BLOCK
+    points = [(0.1, 0.1, 0.1), (1.0, 0.0, 0.0), (9.0, 9.0, 9.0)]
+    assert (sw.classify(primitive, points) == sw.classify(shape, points)).all()
 
 
 def test_a_tree_that_is_too_deep_is_refused():

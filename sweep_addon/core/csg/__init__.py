@@ -10,9 +10,21 @@ operations or sweep again, by a solid that moves.
 
 from .placed import Placed
 from .rigid import RigidMotion
+from .swept_contour import Rotation, SweptContour, Translation
 from .swept_solid import SweptSolid
 from .tree import Operation, Step, Tree
 
-NODES = (Tree, Placed, SweptSolid)
+NODES = (Tree, Placed, SweptSolid, SweptContour)
 
-__all__ = ["NODES", "Operation", "Placed", "RigidMotion", "Step", "SweptSolid", "Tree"]
+__all__ = [
+    "NODES",
+    "Operation",
+    "Placed",
+    "RigidMotion",
+    "Rotation",
+    "Step",
+    "SweptContour",
+    "SweptSolid",
+    "Translation",
+    "Tree",
+]

@@ -58,7 +58,7 @@ class Placed(Operand):
     def __str__(self):
         from .tree import told
 
-        return told(self.solid)
+        return told(self.solid, nested=False)
 
 
 def moved(solid, by):

@@ -84,7 +84,7 @@ class Tree(Operand):
         return self.mesh()
 
     def __str__(self):
-        line, before = told(self.base, nested=False), None
+        line, before = told(self.base, nested=not isinstance(self.base, Tree)), None
         for step in self.steps:
             sign = SIGNS[spelled(step.operation)]
             line = f"({line})" if before not in (None, sign) else line
@@ -93,10 +93,11 @@ class Tree(Operand):
 
 
 def told(operand, nested=True):
-    """An operand as the line of a tree names it."""
-    if isinstance(operand, Tree):
-        return f"({operand})" if nested else str(operand)
-    return str(operand) if type(operand).__str__ is not object.__str__ else type(operand).__name__
+    """An operand as the line of a tree names it, in brackets if it is an expression within another."""
+    if type(operand).__str__ is object.__str__:
+        return type(operand).__name__
+    line = str(operand)
+    return f"({line})" if nested and " " in line and not line.startswith("sweep(") else line
 
 
 def combined(left, operation, right):

@@ -9,7 +9,7 @@ import numpy as np
 from .. import solids
 from ..canal_surface import CanalSurface
 from ..contours import Circle, Contour, Outline, Rectangle
-from ..csg import Placed, SweptSolid, Tree
+from ..csg import Placed, SweptContour, SweptSolid, Tree
 from ..general_sweep import GeneralSweep
 from ..generalized_cylinder import GeneralizedCylinder
 from ..laws import Constant
@@ -140,4 +140,5 @@ KINDS = {
     Tree: tree,
     Placed: placed,
     SweptSolid: moving,
+    SweptContour: lambda primitive: member(primitive.sweep()),
 }
