@@ -17,6 +17,13 @@ def fitting(order):
     return found
 
 
+def counted(coefficients, allowed):
+    """Sums (m, n) without their last terms, of which all together are no more than that in any."""
+    rest = np.cumsum(np.abs(coefficients[:0:-1]), axis=0)  # of the last one, of the last two, and so on
+    left_out = np.count_nonzero((rest <= allowed).all(axis=1))
+    return coefficients[: len(coefficients) - left_out]
+
+
 def summed(coefficients, x):
     """Sums of Chebyshev polynomials by Clenshaw's recurrence: (m, n) and (n,) to (n,).
 

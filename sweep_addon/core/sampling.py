@@ -216,14 +216,17 @@ def stations(trajectory, s):
         gone = norms(lost) == 0
         lost[gone] = other[gone]
     bends = bend(trajectory, u, first=first)
-    turn = leave - arrive
-    corner = norms(turn) > SAME_DIRECTION
-    back = dot(arrive, leave) < SHARPEST
+    unlike = np.flatnonzero((arrive != leave).any(axis=1))
+    turn = leave[unlike] - arrive[unlike]
+    back = dot(arrive[unlike], leave[unlike]) < SHARPEST
     if back.any():
-        raise ShapeError(f"must not turn back on itself, got a reversal at u = {u[np.argmax(back)]:.6g}", "trajectory")
+        first = u[unlike[np.argmax(back)]]
+        raise ShapeError(f"must not turn back on itself, got a reversal at u = {first:.6g}", "trajectory")
+    seen = norms(turn) > SAME_DIRECTION
+    corner = unlike[seen]
     # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature
-    bends[corner] += turn[corner] / np.gradient(s)[corner, None]
-    arrive = np.where(corner[:, None], arrive, leave)
+    bends[corner] += turn[seen] / np.gradient(s)[corner, None]
+    arrive[unlike[~seen]] = leave[unlike[~seen]]
     return Stations(trajectory, u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total)
 
 

@@ -16,7 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .chebyshev import angles, summed
+from .chebyshev import angles, counted, summed
 from .rotations import any_normal, rotated, signed_angle, turned
 from .trajectories.arc_length import arc_length, subdivided
 from .vectors import cross, dot, unit
@@ -53,6 +53,7 @@ class Transport:
         onward = np.roll(np.arange(len(leave)), -1)
         carried = turned(carried, arrive, leave[onward])
         turn = signed_angle(unit(cross(leave, self.axis))[onward], carried, leave[onward])
+        self.turning = counted(self.turning, EXACT)  # of a helix two terms are left
         self.before = np.concatenate(([0.0], np.cumsum(turn[:-1])))
         self.holonomy = float(turn.sum()) if trajectory.closed else 0.0
 

@@ -21,6 +21,7 @@ SHORTEST = 1e-12  # metres
 EXACT = 1e-14  # of the whole length: how near a parameter is to its arc length
 FEW_STEPS, MOST_STEPS = 8, 60  # of Newton's method: more than a few only where the speed vanishes, or for rounding
 MOST_PANELS = 1 << 15  # more are taken as they are
+STEADY = 1e-15  # of the speed: it is the same everywhere, but for rounding
 TERMS = 11  # of a polynomial for the way back in a panel
 MANY = 2  # arc lengths for each of these terms; for fewer the polynomials are not worth making
 
@@ -34,6 +35,8 @@ class ArcLength:
         Parameters between which quadrature is exact to rounding, and the arc length at each.
     total : float
         The length of the whole trajectory in metres.
+    steady : bool
+        Whether quadrature has met one speed alone, as on lines, arcs and helices. Both ways are proportions then.
     """
 
     def __init__(self, trajectory):
@@ -41,7 +44,8 @@ class ArcLength:
         joints = trajectory.joints()
         start = subdivided(joints, max(4, -(-PANELS // (len(joints) - 1))))
         start, end = start[:-1], start[1:]
-        pieces = self.measure(start, end)
+        speeds = self.met(start, end)
+        pieces = (end - start) / 2 * (speeds @ WEIGHTS)
         kept, total, before = [], pieces.sum(), np.inf
         while len(start) <= MOST_PANELS:
             # panel by panel: the errors of a closed curve's panels cancel in the sum long before they are small
@@ -62,16 +66,22 @@ class ArcLength:
         self.nodes = np.append(start[order], joints[-1])
         self.lengths = np.concatenate(([0.0], np.cumsum(pieces[order])))
         self.total = float(self.lengths[-1])
+        self.steady = len(kept) == 1 and np.ptp(speeds) <= STEADY * speeds.max()
         require(self.total >= SHORTEST, f"must be at least {SHORTEST:g} m long", self.total)
 
     def measure(self, start, end):
         """The arc length between pairs of parameters with no joint between them: two (n,) to (n,)."""
-        half = (end - start) / 2
-        u = (start + end)[:, None] / 2 + half[:, None] * NODES
-        return half * (self.trajectory.speeds(u.ravel()).reshape(u.shape) @ WEIGHTS)
+        return (end - start) / 2 * (self.met(start, end) @ WEIGHTS)
+
+    def met(self, start, end):
+        """The speeds that quadrature meets between pairs of parameters: two (n,) to (n, 5)."""
+        u = (start + end)[:, None] / 2 + (end - start)[:, None] / 2 * NODES
+        return self.trajectory.speeds(u.ravel()).reshape(u.shape)
 
     def at(self, u):
         """Arc lengths at parameters: (n,) to (n,)."""
+        if self.steady:
+            return np.interp(u, self.nodes[[0, -1]], self.lengths[[0, -1]])
         panel = np.clip(np.searchsorted(self.nodes, u, side="right") - 1, 0, len(self.nodes) - 2)
         return self.lengths[panel] + self.measure(self.nodes[panel], u)
 
@@ -81,6 +91,8 @@ class ArcLength:
         Of many in one panel they are the values of a polynomial, where there is one that is exact to rounding.
         """
         s = np.asarray(s, dtype=float)
+        if self.steady:
+            return np.interp(s, self.lengths[[0, -1]], self.nodes[[0, -1]])
         panel = np.clip(np.searchsorted(self.lengths, s, side="right") - 1, 0, len(self.nodes) - 2)
         if len(s) < MANY * TERMS * (len(self.nodes) - 1):
             return self.searched(s, panel)
