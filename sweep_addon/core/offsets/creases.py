@@ -31,6 +31,8 @@ def at_creases(field, vertices, pairs, floor, step):
 
     Returns
     -------
+    which : (k,) int array
+        Those near creases.
     Vertices
     """
     which, ridge = near_creases(vertices, pairs, step, field.ridges)
@@ -45,7 +47,7 @@ def at_creases(field, vertices, pairs, floor, step):
         feet = feet_on_ridges(field, vertices, which, own, other, step)[left]
         vertices, _ = placed(field, vertices, which[left], feet, floor, step)
     off = which[np.abs(vertices.values[which]) > STILL_OFF * step]
-    return placed(field, vertices, off, vertices.foot[off], floor, step, better=True)[0]
+    return which, placed(field, vertices, off, vertices.foot[off], floor, step, better=True)[0]
 
 
 def placed(field, vertices, which, places, floor, step, better=False):

@@ -32,11 +32,15 @@ class Dual:
         A place for each vertex: the mean of the middles of the edges that its faces stand across, in metres.
     quads : (q, 4) int array
         The vertices of each face, counter-clockwise from outside.
+    vertex, edge : (p,) int arrays
+        Each vertex, and each edge of its cell that its faces stand across, 0 to 11.
     """
 
     cell: np.ndarray
     starts: np.ndarray
     quads: np.ndarray
+    vertex: np.ndarray
+    edge: np.ndarray
 
 
 def dual_surface(band):
@@ -61,7 +65,8 @@ def dual_surface(band):
     sums = [np.bincount(vertex, middles[edge, axis], total) for axis in range(3)]
     owner = np.repeat(np.arange(len(cycles)), count[turned, band.inside])
     within = np.stack(sums, axis=1) / np.bincount(vertex, minlength=total)[:, None]
-    return Dual(owner, band.low + band.step * (band.cells[owner] + within), quads(band, cell, edge, vertex))
+    starts = band.low + band.step * (band.cells[owner] + within)
+    return Dual(owner, starts, quads(band, cell, edge, vertex), vertex, edge)
 
 
 def quads(band, cell, edge, vertex):

@@ -7,8 +7,9 @@ import numpy as np
 from ..frozen import individual
 from ..vectors import dot
 from .band import narrow_band
-from .creases import at_creases
+from .creases import OFF, at_creases, placed
 from .dual import dual_surface
+from .on_edges import where_edges_cross
 from .untangling import untangled
 from .vertices import Vertices
 
@@ -50,7 +51,7 @@ def level_set(field, low, high, step):
         Closed, and manifold at each edge and vertex; None where the field is nowhere negative.
 
     Each vertex stays within its cell. At creases, where two sheets meet, it goes to where their planes meet; where
-    triangles then cross or turn over, their vertices go back to where they were, in at most three rounds.
+    triangles then cross or turn over, their vertices go back to where they were, in at most four rounds.
 
     Examples
     --------
@@ -68,10 +69,14 @@ def level_set(field, low, high, step):
     start = Vertices(dual.starts, *field.normals(dual.starts, band.hints[dual.cell]))
     plain = start.at(field, np.clip(start.foot, floor, floor + step))
     pairs = np.concatenate([dual.quads[:, [i, (i + 1) % 4]] for i in range(4)])
-    creased = at_creases(field, plain, pairs, floor, step)
-    triangles = cut(dual.quads, creased)
+    which, creased = at_creases(field, plain, pairs, floor, step)
+    if not field.ridges:  # valleys are narrow, and their cells' neighbours know both sides
+        which = which[np.abs(creased.values[which]) > OFF * step]
+    places = where_edges_cross(field, band, dual, which)
+    edged, _ = placed(field, creased, which, places, floor, step, better=True)
+    triangles = cut(dual.quads, edged)
     corner_cells = np.tile(dual.cell[dual.quads], (2, 1))
-    vertices, crossing = untangled((start, plain, creased), triangles, corner_cells, dual.cell)
+    vertices, crossing = untangled((start, plain, creased, edged), triangles, corner_cells, dual.cell)
     return Surface(vertices, triangles, crossing)
 
 

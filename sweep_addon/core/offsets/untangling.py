@@ -7,7 +7,7 @@ import numpy as np
 from ..vectors import cross, dot, unit
 from .crossings import crossing_pairs
 
-ROUNDS = 3
+ROUNDS = 4
 FLAT = 0.3  # the least cosine between the triangles about a cell and their mean, of which none can cross another
 
 
@@ -28,7 +28,7 @@ def untangled(stages, triangles, corner_cells, cell):
     -------
     vertices : Vertices
     crossing : (k, 2) int array
-        Pairs of triangles that still cross after three rounds.
+        Pairs of triangles that still cross after four rounds.
     """
     vertices = stages[-1]
     stage = np.full(len(vertices.places), len(stages) - 1)

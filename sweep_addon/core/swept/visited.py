@@ -21,7 +21,8 @@ WIDTHS = (1.0, 0.25, 0.0625)  # of the parabolas in time that are put through th
 SOME, PARTS = 33, 5  # poses, and points along each side of the lattice, where a deformation is looked at
 DIFFERENCE = 1e-4  # of a step of the lattice, or of its size: over which slopes are taken
 OUTWARD, OUT = 4, 0.5  # how often points inside are moved out, and how far beyond the surface, in steps of the lattice
-EXACTLY = (4.0, 1.0, 0.25)  # of those through exact distances, where the lattice has told the time roughly
+CLEAR = 0.2  # steps of the lattice: what is found nearer to the surface may be on its other side
+EXACTLY = (4.0, 1.0, 0.25, 0.0625)  # of those through exact distances, where the lattice has told the time roughly
 FLAT = 1e-9  # of a step of the lattice: a parabola that bends less has no least place
 
 
@@ -70,27 +71,30 @@ class Visited:
         return np.sign(values) * np.maximum(np.abs(values) - self.field.error, 0.0), times[:, None]
 
     def inside(self, points, hints=None):
-        """Whether points have been visited."""
+        """Whether points have been visited: of those that are found just outside the time is asked exactly."""
         values, times = self.searched(points, hints)
-        near = np.abs(values) <= self.field.error
+        near = np.flatnonzero(np.abs(values) <= self.field.error)
         values[near] = self.exact(points[near], times[near])[0]
+        near = near[(values[near] >= 0) & (values[near] <= CLEAR * self.field.step)]
+        values[near] = self.exact(points[near], self.nearer(points[near], times[near]))[0]
         return values < 0
 
     def normals(self, points, hints=None):
         """The values, the normals of the surface where it is nearest, and the times of the nearest poses.
 
-        All are told from outside, where f is the distance; points inside are moved out for it. Inside, a depth is that
-        in one pose alone, and the normal that of one of its faces, which a moving edge leaves inside.
+        All are told from outside, where f is the distance; points that are not clear of the surface are moved out for
+        it. Inside, a depth is that in one pose alone, and the normal that of one of its faces, which a moving edge
+        leaves inside; so it takes some moves, until one is clear, and not just past that face.
         """
         _, times = self.searched(points, hints)
         values, normals = self.exact(points, times)
-        places, inside = points.copy(), np.flatnonzero(values <= 0)
+        places, inside = points.copy(), np.flatnonzero(values <= CLEAR * self.field.step)
         for _ in range(OUTWARD):
             out = OUT * self.field.step - values[inside]
             places[inside] += out[:, None] * normals[inside]
             _, times[inside] = self.searched(places[inside], times[inside, None])
             values[inside], normals[inside] = self.exact(places[inside], times[inside])
-            inside = inside[values[inside] <= 0]
+            inside = inside[values[inside] <= CLEAR * self.field.step]
             if not len(inside):
                 break
         times = self.nearer(places, times)
@@ -100,8 +104,10 @@ class Visited:
 
     def off(self, vertices):
         """How far some `Vertices` are found to be from the surface: outside from the nearest pose, inside as deep."""
-        times = self.nearer(vertices.places, vertices.hints[:, 0])
-        return np.maximum(np.abs(vertices.values), -self.exact(vertices.places, times)[0])
+        off, within = np.abs(vertices.values), np.flatnonzero(vertices.values < 0)
+        depths = -self.exact(vertices.places[within], vertices.hints[within, 0])[0]
+        off[within] = np.maximum(off[within], depths)
+        return off
 
     def searched(self, points, hints=None):
         """The values to within the field's error, and the times of the nearest poses: two (n,)."""
@@ -151,11 +157,11 @@ class Visited:
 
     def nearer(self, points, times):
         """Times near some at which the exact distance is least, by parabolas."""
-        here = self.distances(points, times)
+        here, feet = self.distances(points, times)
         for width in EXACTLY:
-            before, after = (self.distances(points, self.held(times + side)) for side in (-width, width))
+            before, after = (self.distances(points, self.held(times + side), feet)[0] for side in (-width, width))
             moved = self.held(times + width * least_of(before, here, after, FLAT * self.field.step))
-            there = self.distances(points, moved)
+            there, feet = self.distances(points, moved, feet)
             times, here = np.where(there < here, moved, times), np.minimum(there, here)
         return times
 
@@ -193,18 +199,18 @@ class Visited:
         places, _, missed = self.posed(points, time)
         return self.between(time)(self.scales) * self.field.rough(places) + missed
 
-    def distances(self, points, times):
-        """How far points are from the solid at times: (n,).
+    def distances(self, points, times, hints=None):
+        """How far points are from the solid at times, and where it is nearest, as it is itself: (n,), (n, 3).
 
         That is from where its own nearest place is then: a little farther than they are, where axes are scaled by
-        different factors.
+        different factors. Hints are places of the solid itself near that.
         """
         places, _, missed = self.posed(points, times)
-        values, normals = self.field.exact(places)
+        values, normals = self.field.exact(places, hints)
         at = self.between(times)
         then = Poses(*(at(part) for part in self.poses[:-1]), ())
-        nearest = self.motion.each(places - values[:, None] * normals, then)
-        return np.sign(values) * norms(points - nearest) + missed
+        feet = places - values[:, None] * normals
+        return np.sign(values) * norms(points - self.motion.each(feet, then)) + missed, feet
 
     def exact(self, points, times):
         """The distance from the solid at times, and its normals there: (n,), (n, 3).
@@ -212,7 +218,7 @@ class Visited:
         Where axes are scaled by different factors it is that to first order: the value over its slope.
         """
         if self.motion.deforms:
-            values, slopes = self.distances(points, times), self.slopes(points, times)
+            values, slopes = self.distances(points, times)[0], self.slopes(points, times)
         else:
             places, inverse, _ = self.posed(points, times)
             values, normals = self.field.exact(places)
@@ -224,7 +230,7 @@ class Visited:
         """The slopes of the distance from a deformed solid, by differences at times that are kept: (n, 3)."""
         step, slopes = DIFFERENCE * self.field.step, np.empty((len(points), 3))
         for axis in range(3):
-            ahead, behind = (self.distances(points + side * step * np.eye(3)[axis], times) for side in (1, -1))
+            ahead, behind = (self.distances(points + side * step * np.eye(3)[axis], times)[0] for side in (1, -1))
             slopes[:, axis] = (ahead - behind) / (2 * step)
         return slopes
 
