@@ -29,9 +29,9 @@ LARGEST_FILE = 50_000_000  # bytes of a drawing or a font
 
 @declared
 class File:
-    """A drawing (.svg), a measured path (.gpx, .csv), or an object of a Blender file (.blend)"""
+    """A drawing (.svg, .dxf), a measured path (.gpx, .csv), or an object of a Blender file (.blend)"""
 
-    file: str = parameter("", "Path of an .svg, .gpx, .csv or .blend file, relative to the job")
+    file: str = parameter("", "Path of an .svg, .dxf, .gpx, .csv or .blend file, relative to the job")
     object: str = parameter("", "Name of the curve, text or mesh object in a .blend file")
     scale: float = parameter(1.0, "Factor of its size, as 0.001 for a drawing in millimetres", above=0.0)
     corner: Corner = parameter(Mitre(), "What becomes of the corners of a trajectory of straight legs")
@@ -137,10 +137,13 @@ def read(reference, p, folder):
 def outline(reference, path):
     """The outline in a file."""
     kind = path.suffix.lower()
-    require(kind in (".svg", ".blend"), "must be an .svg or .blend file", reference.file, "file")
+    require(kind in (".svg", ".dxf", ".blend"), "must be an .svg, .dxf or .blend file", reference.file, "file")
     if kind == ".svg":
         with keyed("file"):
             return contours.from_svg(path, scale=reference.scale)
+    if kind == ".dxf":
+        with keyed("file"):
+            return scaled(contours.from_dxf(path), reference.scale)
     with opened(reference) as files:
         found = files.outline(path, reference.object)
     return scaled(found, reference.scale)

@@ -45,9 +45,11 @@ __all__ = [
     "Superellipse",
     "all_fitted",
     "fitted",
+    "from_dxf",
     "from_svg",
     "from_text",
     "offset",
+    "recover_arcs",
 ]
 
 
@@ -55,7 +57,14 @@ def __dir__():
     return __all__  # what a console offers
 
 
-LATER = {"from_svg": ".svg", "from_text": ".fonts", "offset": ".offsetting", "Section": ".section"}
+LATER = {
+    "from_dxf": ".dxf",
+    "from_svg": ".svg",
+    "from_text": ".fonts",
+    "offset": ".offsetting",
+    "recover_arcs": ".arc_recovery",
+    "Section": ".section",
+}
 
 
 def __getattr__(name):

@@ -1,0 +1,171 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contours from DXF drawings, their arcs kept as arcs."""
+
+from io import BytesIO
+
+import numpy as np
+
+from ..documents import about, content
+from ..parameters import ShapeError
+from .outline import Outline
+from .reading import argument, library
+
+LARGEST = 50_000_000  # bytes
+MARK = "SECTION"  # in every such text
+METRES = {1: 0.0254, 2: 0.3048, 3: 1609.344, 4: 0.001, 5: 0.01, 6: 1.0, 7: 1000.0, 8: 2.54e-8, 9: 2.54e-5, 10: 0.9144}
+METRES |= {11: 1e-10, 12: 1e-9, 13: 1e-6, 14: 0.1, 15: 10.0, 16: 100.0}  # of the units that $INSUNITS names
+SAME = 1e-6  # of the drawing's size: ends closer than this are joined
+FLATTENED = 1e-3  # of a curve's size: its distance from chords, of one that is no arc
+DRAWN = {"LINE", "ARC", "CIRCLE", "LWPOLYLINE", "POLYLINE", "SPLINE", "ELLIPSE"}
+
+
+def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
+    """Make an outline of the closed loops of a DXF drawing.
+
+    Parameters
+    ----------
+    text_or_path : str or Path
+        The text of a drawing, or the path of a file of at most 50 MB.
+    scale : float
+        Metres for one unit of the drawing; 0 is the unit that it names, metres where it names none.
+    layer : str
+        The only layer that counts; all do by default.
+    centred : bool
+        Whether the centroid of the area becomes the reference point; otherwise the drawing's origin is.
+
+    Returns
+    -------
+    Outline
+        Lines and arcs as they are drawn; splines and ellipses as chords. What an odd number of loops lies around is
+        inside.
+
+    Raises
+    ------
+    ShapeError
+        For what is no DXF, a drawing without a closed loop, and where the library ezdxf is missing.
+
+    Lines, arcs, circles, polylines, splines and ellipses count, those in blocks too, as seen from above. Ends that meet
+    are joined; what is left open is no outline. Texts, dimensions and hatches are left out.
+
+    Examples
+    --------
+    >>> from_dxf("0\\nSECTION\\n")  # doctest: +IGNORE_EXCEPTION_DETAIL
+    Traceback (most recent call last):
+    sweep_addon.core.parameters.ShapeError: the DXF text must have a closed loop, got none
+    """
+    scale, centred = argument("scale", scale, minimum=0.0), argument("centred", centred, bool)
+    layer = argument("layer", layer, str)
+    data, subject = content(text_or_path, "DXF", MARK, LARGEST)
+    with about(subject):
+        drawing, entities = read(data, layer)
+        scale = scale or METRES.get(drawing.header.get("$INSUNITS", 0), 1.0)
+        loops = closed_loops([edges for entity in entities for edges in edges_of(entity)])
+        if not loops:
+            raise ShapeError("must have a closed loop, got none")
+        points, bulges = ([scale * corners for corners, _ in loops], [bulge for _, bulge in loops])
+        outline = Outline(points, bulges)
+        if not centred:
+            return outline
+        centre = outline.section().centroid
+        return Outline([loop - centre for loop in points], bulges)
+
+
+def read(data, layer):
+    """The drawing in some bytes, and its entities that draw lines."""
+    library("ezdxf", "ezdxf")
+    from ezdxf import recover
+    from ezdxf.disassemble import recursive_decompose
+
+    try:
+        drawing, _ = recover.read(BytesIO(data))
+        entities = list(recursive_decompose(drawing.modelspace()))
+    except Exception as error:  # the parser meets what is no DXF in ways of its own
+        raise ShapeError(f"must be DXF, got an error: {error}") from error
+    wanted = (entity for entity in entities if entity.dxftype() in DRAWN)
+    return drawing, [entity for entity in wanted if not layer or entity.dxf.layer == layer]
+
+
+def edges_of(entity):
+    """The chains of edges that an entity draws: each start and end (2,), and bulge, of a row (n, 5)."""
+    kind, dxf = entity.dxftype(), entity.dxf
+    if kind == "LINE":
+        yield np.array([[*flat(dxf.start), *flat(dxf.end), 0.0]])
+    elif kind == "CIRCLE":
+        (x, y), r = flat(entity.ocs().to_wcs(dxf.center)), dxf.radius
+        yield np.array([[x - r, y, x + r, y, 1.0], [x + r, y, x - r, y, 1.0]])
+    elif kind == "ARC":
+        turn = np.radians((dxf.end_angle - dxf.start_angle) % 360.0)
+        bulge = np.tan(turn / 4) * (1 if dxf.extrusion.z >= 0 else -1)
+        yield np.array([[*flat(entity.start_point), *flat(entity.end_point), bulge]])
+    elif kind == "LWPOLYLINE" or kind == "POLYLINE" and entity.is_2d_polyline:
+        yield from polyline(entity)
+    else:
+        yield from curve(entity)
+
+
+def flat(point):
+    """A point as seen from above: (x, y)."""
+    return point[0], point[1]
+
+
+def polyline(entity):
+    """The chain of a polyline, with the bulges of its edges; seen from below these are the other way."""
+    light = entity.dxftype() == "LWPOLYLINE"
+    rows = entity.get_points("xyb") if light else [(*flat(v.dxf.location), v.dxf.bulge) for v in entity.vertices]
+    rows = np.array(rows, dtype=float).reshape(-1, 3)
+    ocs = entity.ocs()
+    places = np.array([flat(ocs.to_wcs((x, y, 0.0))) for x, y, _ in rows]).reshape(-1, 2)
+    bulges = rows[:, 2] * (1 if entity.dxf.extrusion.z >= 0 else -1)
+    ends = np.roll(places, -1, axis=0)
+    made = np.column_stack((places, ends, bulges))
+    yield made if (entity.closed if light else entity.is_closed) else made[:-1]
+
+
+def curve(entity):
+    """The chain of chords of a spline or an ellipse."""
+    from ezdxf.path import make_path
+
+    path = make_path(entity)
+    places = np.array([flat(point) for point in path.control_vertices()])
+    size = float(np.hypot(*np.ptp(places, axis=0)))
+    places = np.array([flat(point) for point in path.flattening(FLATTENED * max(size, 1e-9))])
+    yield np.column_stack((places[:-1], places[1:], np.zeros(len(places) - 1)))
+
+
+def closed_loops(chains):
+    """The loops that chains of edges close, each corners (n, 2) and bulges (n,); what stays open is left out.
+
+    Where more than two ends meet, those are joined first that were drawn first.
+    """
+    chains = [chain for chain in chains if len(chain)]
+    if not chains:
+        return []
+    size = float(np.ptp(np.concatenate([chain[:, :4].reshape(-1, 2) for chain in chains]), axis=0).max())
+    cell = max(SAME * size, 1e-300)
+    loops, open_chains = [], []
+    for chain in chains:
+        (loops if same(chain[0, :2], chain[-1, 2:4], cell) and len(chain) > 1 else open_chains).append(chain)
+    while open_chains:
+        chain = open_chains.pop(0)
+        while not same(chain[0, :2], chain[-1, 2:4], cell):
+            found = next(((i, r) for i, other in enumerate(open_chains) for r in (False, True)
+                          if same(chain[-1, 2:4], other[-1, 2:4] if r else other[0, :2], cell)), None)  # fmt: skip
+            if not found:
+                break
+            other = open_chains.pop(found[0])
+            chain = np.concatenate((chain, backward(other) if found[1] else other))
+        else:
+            loops.append(chain)
+    lengths = [np.hypot(*(loop[:, 2:4] - loop[:, :2]).T) > cell for loop in loops]
+    loops = [loop[long] for loop, long in zip(loops, lengths, strict=True)]
+    return [(loop[:, :2], loop[:, 4]) for loop in loops if len(loop) > 2 or len(loop) == 2 and loop[:, 4].any()]
+
+
+def same(place, other, cell):
+    return bool(np.abs(place - other).max() <= cell)
+
+
+def backward(chain):
+    """A chain run from its end to its start."""
+    return np.column_stack((chain[::-1, 2:4], chain[::-1, :2], -chain[::-1, 4]))
