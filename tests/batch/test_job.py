@@ -46,7 +46,7 @@ def written(folder, text, name="job.toml"):
         START + "render = 3": ":3: render: must be a table, [render]",
         START + "[render]\nside = [1, 0]": ":4: render.side: must be a list of 3, got [1, 0]",
         START + "contour = {file = 'no.svg'}": ":3: contour.file: must be a file that exists, got ",
-        START + "contour = {file = 'job.toml'}": ":3: contour.file: must be an .svg, .dxf or .blend file, got 'job.toml'",
+        START + "contour = {file = 'job.toml'}": ":3: contour.file: must be an .svg, .dxf or .blend file, got ",
         START + "trajectory = {file = 'job.toml'}": ":3: trajectory.file: must be a .gpx, .csv or .blend file, got ",
         START + "trajectory = {text = 'abc'}": ":3: trajectory.text: stands for a contour only, got 'abc'",
         START + "contour = {text = 'abc'}": ":3: contour.font: must be a .ttf or .otf file, got ''",

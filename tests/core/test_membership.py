@@ -102,7 +102,16 @@ def screwed(p):
     return np.maximum.reduce([1 - across, across - 2, -along, along - 1.5])
 
 
+SHRINKING = sw.GeneralSweep(
+    sw.contours.Region("x^2 + y^2 - (0.2 - 0.1*t)^2", size=0.5), sw.trajectories.Line(end=(0, 0, 2))
+)
+
 SOLIDS = {
+    "region of a formula": (
+        SHRINKING,
+        lambda p: np.maximum(np.hypot(p[:, 0], p[:, 1]) - 0.2 + 0.05 * p[:, 2], np.abs(p[:, 2] - 1) - 1),
+        np.array((0.3, 0.3, 2.2)),
+    ),
     "torus": (TORUS, ring(2.0, 0.5), 2.6),
     "spindle torus": (SPINDLE, spindle, 0.8),
     "sphere as a revolved half disc": (BALL, lambda p: np.linalg.norm(p, axis=1) - 1, 1.2),
@@ -327,6 +336,19 @@ def test_a_moving_tree_is_told_within_the_tolerance():
     labels = sw.classify(sw.SweptSolid(tree, motion), points, tolerance=1e-3)
     assert (labels[least < -1e-3 - error] == 1).all()
     assert (labels[least > 1e-3 + error] == -1).all()
+
+
+def test_a_ball_that_grows_as_it_moves_leaves_a_cone():
+    """The envelope of balls of radius 0.3 + 0.25 s is a cone with two caps; the poses of the mesh's cells tell it."""
+    ball = sw.solids.Triangles.of(sw.solids.Ball(0.3, 256).mesh())
+    growing = {f"scale_{axis}": "1 + t/0.6" for axis in "xyz"}
+    sweep = sw.GeneralSweep(ball, sw.trajectories.Line(end=(0, 0, 2)), cells=48, **growing)
+    points = np.random.default_rng(14).uniform((-1, -1, -0.5), (1, 1, 3), (5_000, 3))
+    across, z = np.hypot(points[:, 0], points[:, 1]), points[:, 2]
+    s = np.clip(z + 0.25 * across / np.sqrt(1 - 0.25**2), 0, 2)
+    far = np.hypot(across, z - s) - 0.3 - 0.25 * s
+    sure = np.abs(far) > 2e-3  # the ball is a polyhedron
+    assert (sw.classify(sweep, points) == np.sign(-far))[sure].all()
 
 
 @pytest.mark.parametrize(

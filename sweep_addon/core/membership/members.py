@@ -9,6 +9,7 @@ import numpy as np
 from .. import solids
 from ..canal_surface import CanalSurface
 from ..contours import Circle, Contour, Outline, Rectangle
+from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
 from ..general_sweep import GeneralSweep
 from ..generalized_cylinder import GeneralizedCylinder
@@ -21,7 +22,7 @@ from ..rotational_sweep import RotationalSweep
 from ..translational_sweep import TranslationalSweep
 from . import ways
 from .balls import BallsBody
-from .bodies import BallBody, MeshBody, OffsetBody
+from .bodies import BallBody, MeshBody, OffsetBody, VisitedBody
 from .moving_plane import MovingPlane
 from .moving_solid import MovingSolid
 from .prisms import Meshed, Prism
@@ -109,18 +110,11 @@ def moving(shape):
 
 def general(shape):
     """A general sweep: of a planar figure by its plane, of a solid by the way back."""
-    if isinstance(shape.generator, Contour):
+    if isinstance(shape.generator, Contour | Region):
         return planar(ways.of_planar)(shape)
-    stiff = not shape.motion.deforms and all(scale == UNSCALED[0] for scale in shape.motion.scales)
-    require(
-        isinstance(shape.generator, solids.Solid),
-        "must be a contour or a solid",
-        spelled(type(shape.generator)),
-        "generator",
-    )
-    require(stiff, "must neither scale nor deform a solid", "another", "scale_x")
+    rigid = not shape.motion.deforms and shape.motion.scales == UNSCALED
     with at("generator"):
-        return MovingSolid(member(shape.generator), shape.motion)
+        return MovingSolid(member(shape.generator), shape.motion) if rigid else VisitedBody(shape)
 
 
 KINDS = {

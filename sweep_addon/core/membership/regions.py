@@ -12,6 +12,11 @@ from ..runs import run_of
 from .loops import Loops
 from .smooth import Disc, Superdisc
 
+SLOPED = 33  # places along each side where it is looked at how steep a formula is
+ROOM = 1.25  # for what is steeper between them
+DIFFERENCE = 1e-6  # of the size, and of the way: over which slopes are taken
+LEAST = 1e-300
+
 
 @lru_cache(maxsize=64)
 def region(contour):
@@ -99,3 +104,43 @@ class Still:
     def growth(self, points, parameters):
         """How fast the distance grows as the contour changes: it does not."""
         return 0.0
+
+
+class Level:
+    """Where the formula of a `Region` is negative, as it changes on the way."""
+
+    def __init__(self, region, total):
+        self.region, self.total = region, total
+        half = region.size / 2
+        self.box = np.array([[-half, -half], [half, half]])
+        self.step = DIFFERENCE * region.size
+        side, way = np.linspace(-half, half, SLOPED), np.linspace(0.0, 1.0, SLOPED)
+        values = region.evaluate(*np.meshgrid(side, side, way, indexing="ij"))
+        self.steepest = ROOM * float(np.hypot(*np.gradient(values, side, side, way)[:2]).max())
+
+    def depth(self, points, parameters):
+        """The formula over the most that it rises, in the square that is looked at; outside positive: (n,)."""
+        beyond = (np.abs(points) - self.box[1]).max(axis=1)
+        held = np.clip(points, *self.box)
+        value = self.region.evaluate(*held.T, parameters / self.total) / self.steepest
+        return np.where(beyond > 0, np.maximum(beyond, value), value)
+
+    def exact(self, points, parameters):
+        """The distance near the boundary to first order, and unit vectors away: (n,), (n, 2)."""
+        slope = self.slopes(points, parameters)
+        steep = np.maximum(np.hypot(*slope.T), LEAST)
+        return self.region.evaluate(*points.T, parameters / self.total) / steep, slope / steep[:, None]
+
+    def growth(self, points, parameters):
+        """How fast the distance grows as the formula changes: (n,)."""
+        ends = [np.clip(parameters / self.total + side * DIFFERENCE, 0.0, 1.0) for side in (-1, 1)]
+        before, after = (self.region.evaluate(*points.T, t) for t in ends)
+        steep = np.maximum(np.hypot(*self.slopes(points, parameters).T), LEAST)
+        return (after - before) / (ends[1] - ends[0]) / self.total / steep
+
+    def slopes(self, points, parameters):
+        """How the formula rises along x and y: (n, 2)."""
+        (x, y), t, step = points.T, parameters / self.total, self.step
+        ask = self.region.evaluate
+        rises = ask(x + step, y, t) - ask(x - step, y, t), ask(x, y + step, t) - ask(x, y - step, t)
+        return np.stack(rises, axis=1) / (2 * step)

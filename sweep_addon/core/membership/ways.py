@@ -8,6 +8,7 @@ import numpy as np
 
 from ..bending import Bending
 from ..contours import Fit
+from ..contours.region import Region
 from ..domes import domes_of
 from ..ends import Flat, Open, Round
 from ..frames import axes
@@ -20,7 +21,7 @@ from ..trajectories.arc_length import arc_length
 from ..translational_sweep import Reference
 from ..vectors import norms, unit
 from .drawn import Drawn
-from .regions import Still, region
+from .regions import Level, Still, region
 from .way import Carried, Corner, Dome, Limit, Way
 
 PARTS = 32  # panels at least, of a whole way
@@ -174,8 +175,12 @@ def of_planar(shape):
             "deform_x")  # fmt: skip
     require_closed((shape.start, shape.end))
     measure = arc_length(shape.trajectory)
-    points = section_of(shape.generator, Fit.INSCRIBED).points
-    closed = motion.comes_back(np.column_stack((points, np.zeros(len(points)))))
+    if isinstance(shape.generator, Region):
+        inside, closed = Level(shape.generator, measure.total), False
+    else:
+        points = section_of(shape.generator, Fit.INSCRIBED).points
+        closed = motion.comes_back(np.column_stack((points, np.zeros(len(points)))))
+        inside = Still(region(shape.generator))
 
     def carried(s):
         poses = motion.at(s)
@@ -185,7 +190,7 @@ def of_planar(shape):
         return Carried(poses.origin, unit(np.cross(x, y)), x, y, scales)
 
     breaks = apart(measure.at(shape.trajectory.joints()), measure.total)
-    return Way(carried, breaks, closed, Still(region(shape.generator)), PARTS, parameter=measure.parameter)
+    return Way(carried, breaks, closed, inside, PARTS, parameter=measure.parameter)
 
 
 def require_closed(ends):
