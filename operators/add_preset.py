@@ -4,11 +4,12 @@
 
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
-from bpy_extras.object_utils import AddObjectHelper, object_data_add
+from bpy_extras.object_utils import AddObjectHelper, add_object_align_init, object_data_add
 
 from ..sweep_addon import presets
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
+from ..sweep_addon.core.shapes import SHAPES
 from ..sweep_addon.core.trajectories import Line
 
 objects = later("bridge.objects")
@@ -46,11 +47,13 @@ class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
     def execute(self, context):
         curve = context.active_object
         try:
-            shape = presets.shape(self.preset.lower())
+            shape, title = presets.shape(self.preset.lower()), presets.title(self.preset.lower())
+            if not isinstance(shape, SHAPES):
+                return self.place(context, objects.to_object(shape, title))
             straight = isinstance(getattr(shape, "trajectory", None), Line)
             follows = self.follow and straight and curve and curve.type == "CURVE"
             given = {"trajectory": curve} if follows and curve.select_get() else {}
-            mesh = objects.new_mesh(shape, presets.title(self.preset.lower()), **given)
+            mesh = objects.new_mesh(shape, title, **given)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -58,4 +61,13 @@ class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
             objects.place_along(context, mesh, curve)
         else:
             object_data_add(context, mesh, operator=self)
+        return {"FINISHED"}
+
+    def place(self, context, ob):
+        """Put a tree, which stands already, where the other presets go."""
+        ob.matrix_basis = add_object_align_init(context, self) @ ob.matrix_basis
+        for other in context.selected_objects:
+            other.select_set(False)
+        ob.select_set(True)
+        context.view_layer.objects.active = ob
         return {"FINISHED"}

@@ -13,7 +13,8 @@ declared_layout, objects = later("bridge.layout"), later("bridge.objects")
 operands, solvers, trees = later("bridge.operands"), later("bridge.solvers"), later("bridge.trees")
 
 LOOKED_AT = 100  # selected objects, for a second mesh among them: a draw takes no longer however many there are
-MOST_ROWS = 60
+MOST_ROWS = 16
+MOST_PARTS = 100  # that are looked at in a draw
 ICONS = {"UNION": "SELECT_EXTEND", "INTERSECT": "SELECT_INTERSECT", "DIFFERENCE": "SELECT_SUBTRACT"}
 
 
@@ -71,12 +72,7 @@ def draw_tree(layout, context, ob):
     draw_warnings(layout, ob, say)
     picked = trees.picked(ob)
     row = layout.row()
-    rows = list(lines(ob, 0, (ob,)))
-    column = row.column(align=True)
-    for owner, modifier, depth in rows[:MOST_ROWS]:
-        draw_step(column, ob, owner, modifier, depth, picked)
-    if len(rows) > MOST_ROWS:
-        say(column, f"{len(rows) - MOST_ROWS} more are in the tab of modifiers.", "INFO")
+    draw_rows(row.column(align=True), ob, picked)
     draw_buttons(row.column(align=True), ob, picked)
     if picked and picked[1].object:
         draw_operand(layout, picked[1].object, say)
@@ -88,6 +84,27 @@ def draw_tree(layout, context, ob):
         row = layout.row(align=True)
         row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
         row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+
+
+def draw_rows(layout, ob, picked):
+    """A row for each step, of very many those about the one that is picked; a click on what is left out goes there."""
+    rows = list(lines(ob, 0, (ob,)))
+    at = next((i for i, (owner, modifier, _) in enumerate(rows) if picked == (owner, modifier)), 0)
+    first = max(0, min(at - MOST_ROWS // 2, len(rows) - MOST_ROWS))
+    last = min(first + MOST_ROWS, len(rows))
+    if first:
+        name_step(layout.operator("object.sweep_step_pick", text=f"{first} more above"), ob, *rows[first - 1])
+    for owner, modifier, depth in rows[first:last]:
+        draw_step(layout, ob, owner, modifier, depth, picked)
+    if last < len(rows):
+        name_step(layout.operator("object.sweep_step_pick", text=f"{len(rows) - last} more below"), ob, *rows[last])
+
+
+def name_step(button, active, owner, modifier, depth=0):
+    """Say of which step a button is."""
+    button.step = modifier.name
+    if owner != active:
+        button.owner = owner.name
 
 
 def summary(steps):
@@ -109,7 +126,7 @@ def lines(ob, depth, above):
 def draw_warnings(layout, ob, say):
     """What keeps the tree from being what it says, each with what mends it."""
     fast = any(step.solver == solvers.FAST for step in trees.booleans(ob))
-    parts = solvers.parts(ob)[:MOST_ROWS]
+    parts = solvers.parts(ob)[:MOST_PARTS]
     why = next(filter(None, (solvers.why_exact(ob, part, solvers.seems_closed) for part in parts)), "")
     lacking = "" if fast else solvers.lacking()
     if why or lacking:
@@ -121,11 +138,12 @@ def draw_warnings(layout, ob, say):
         layout.operator("object.sweep_tree_choose_solver")
     if any(step.object is None for step in trees.booleans(ob)):
         say(layout, "An operand was deleted: its step does nothing.", "ERROR")
-    shared = next((operand for operand in trees.operands(ob) if owner_of(operand) not in (None, ob)), None)
+    elsewhere = (operand for operand in trees.operands(ob) if ob not in operands.ancestors(operand))
+    shared = next(((operand, owner) for operand in elsewhere if (owner := owner_of(operand))), None)
     if shared:
-        sentence = f"{shared.name!r} is an operand of {owner_of(shared).name!r} too: Duplicate Tree copies operands."
-        say(layout, sentence, "INFO")
-    if any(modifier.type != "BOOLEAN" for modifier in ob.modifiers):
+        sentence = "{0.name!r} is an operand of {1.name!r} too: Duplicate copies operands."
+        say(layout, sentence.format(*shared), "INFO")
+    if trees.others(ob):
         say(layout, "Modifiers that are no Booleans are no part of the tree.", "INFO")
 
 
@@ -150,9 +168,7 @@ def draw_step(layout, active, owner, modifier, depth, picked):
     if modifier.object is None:
         remove = row.operator("object.sweep_step_extract", text="", icon="X")
     for button in filter(None, (pick, mute, remove)):
-        button.step = modifier.name
-        if owner != active:
-            button.owner = owner.name
+        name_step(button, active, owner, modifier)
 
 
 def draw_buttons(layout, ob, picked):

@@ -23,7 +23,7 @@ from ..core.parameters import (
     require,
     spelled,
 )
-from ..core.shapes import SHAPE_NAMES, SHAPES
+from ..core.shapes import SHAPE_NAMES
 from .lines import line_of
 from .references import resolve, with_references
 
@@ -182,10 +182,10 @@ def digest(table, picture, files):
 
 def schema():
     """The JSON Schema of a job file, references and ``[render]`` included."""
-    made = description.schema(SHAPES)
+    made = description.schema(DESCRIBED.values())
     picture = description.table_schema(Render, parameters(Render))
     del picture["properties"]["kind"], picture["required"]
-    for form, shape in zip(made["anyOf"], SHAPES, strict=True):
+    for form, shape in zip(made["anyOf"], DESCRIBED.values(), strict=True):
         with_references(form, parameters(shape))
         form["properties"]["render"] = picture
     return made

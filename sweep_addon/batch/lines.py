@@ -20,20 +20,40 @@ def line_of(text, key):
 
     >>> line_of('kind = "tube"\\n[contour]\\nradius = 2', "contour.radius")
     3
+    >>> line_of("[[steps]]\\n[[steps]]\\n[steps.operand]\\nradius = 2", "steps.2.operand.radius")
+    4
     """
     wanted = key.split(".")
-    header, depth, best, length = [], 0, 1, 0
+    header, depth, best, length, counts = [], 0, 1, 0, {}
     for number, line in enumerate(TEXTS.sub(blank, text).split("\n"), 1):
         found, path = None, header
         if depth == 0:
             found = HEADER.match(line) or SETTING.match(line)
             if found:
-                path = names(found[1]) if found.re is HEADER else header + names(found[1])
+                path = opened(found, counts) if found.re is HEADER else header + names(found[1])
                 header = path if found.re is HEADER else header
         if found and len(path) > length and path == wanted[: len(path)]:
             best, length = number, len(path)
         depth += sum(map(line.count, "[{")) - sum(map(line.count, "]}"))
     return best
+
+
+def opened(header, counts):
+    """The path of the table that a header opens, in which an item of a list has its number, from 1.
+
+    How many items each list has is counted: a header names the last of those that it goes through.
+    """
+    path, parts = [], names(header[1])
+    for part in parts[:-1]:
+        path.append(part)
+        path += [str(counts[*path])] if tuple(path) in counts else []
+    path.append(parts[-1])
+    if header[0].lstrip().startswith("[["):
+        counts[*path] = counts.get(tuple(path), 0) + 1
+        for inner in [key for key in counts if len(key) > len(path) and key[: len(path)] == tuple(path)]:
+            del counts[inner]
+        path.append(str(counts[*path]))
+    return path
 
 
 def blank(text):

@@ -98,8 +98,8 @@ def render_picture(render, output):
 
 
 def places(ob):
-    """The vertices of an object in the world, (n, 3) float array."""
-    mesh = ob.data
+    """The vertices of an object in the world, as its modifiers leave them, (n, 3) float array."""
+    mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data if ob.modifiers else ob.data
     found = np.empty((len(mesh.vertices), 3), dtype=np.float32)
     mesh.attributes["position"].data.foreach_get("vector", found.ravel())
     matrix = np.array(ob.matrix_world)

@@ -14,7 +14,8 @@ from pathlib import Path
 
 from ..core import description, forms
 from ..core.parameters import ShapeError, parameters, require, spelled
-from ..core.shapes import SHAPE_NAMES, SHAPES
+from ..core.self_intersection.places import Places
+from ..core.shapes import SHAPES
 from . import job as jobs
 from .export import MODELS, PICTURES, check_output, save_model, silent
 from .plan import numbered, numbers, plan
@@ -50,7 +51,7 @@ def build(told):
     tell(f"writing {output.name}")
     save_model(output)
     say(output)
-    warn(job.path, job.shape.self_intersections().told)
+    warn(job.path, meeting(job.shape).told)
     return 0
 
 
@@ -83,7 +84,7 @@ def check(told):
             job = read(path)
             with pointing_at(job):
                 mesh = job.shape.mesh()
-                found = job.shape.self_intersections()
+                found = meeting(job.shape)
             say(f"{path}: {len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces")
             warn(path, found.in_place_of(mesh.told))
         except ShapeError as refusal:
@@ -92,14 +93,19 @@ def check(told):
     return code
 
 
+def meeting(shape):
+    """Where a shape meets itself: nowhere, for a tree, whose operands are made solids first."""
+    return shape.self_intersections() if isinstance(shape, SHAPES) else Places(())
+
+
 def describe(told):
-    """Say what a job may tell of a shape, of one of its choices, as circle or helix, or of render: parameters with
-    units, limits and defaults."""
+    """Say what a job may tell of a shape, a tree, one of its choices, as circle or helix, or of render: parameters
+    with units, limits and defaults."""
     if told.schema:
         say(json.dumps(jobs.schema(), indent=2))
         return 0
     if not told.shape:
-        say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in SHAPE_NAMES.items()))
+        say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in jobs.DESCRIBED.items()))
         return 0
     kinds = described()
     require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")
@@ -110,8 +116,8 @@ def describe(told):
 
 def described():
     """All that can be described by its name in a job; a law and a trajectory are both a formula."""
-    kinds = {name: [kind] for name, kind in SHAPE_NAMES.items()}
-    for kind in dict.fromkeys(kind for shape in SHAPES for kind in choices(shape)):
+    kinds = {name: [kind] for name, kind in jobs.DESCRIBED.items()}
+    for kind in dict.fromkeys(kind for shape in jobs.DESCRIBED.values() for kind in choices(shape)):
         kinds.setdefault(spelled(kind), []).append(kind)
     return kinds | {"render": [jobs.Render]}
 

@@ -13,7 +13,7 @@ from ..core.csg.meshes import closed_mesh
 from ..core.parameters import ShapeError, at, spelled
 from ..core.shapes import SHAPES
 from ..core.solids import Triangles
-from . import meshes, objects, operands, solvers, trees
+from . import meshes, objects, operands, sharp_edges, solvers, trees
 
 HERE = np.eye(4)
 
@@ -53,8 +53,9 @@ def to_object(operand, name=None):
     else:
         bpy.data.collections.remove(grove.collection)
     bpy.context.view_layer.update()  # of matrices, which say what is mirrored
-    for part in solvers.parts(ob):
+    for part in filter(trees.is_tree, solvers.parts(ob)):
         solvers.choose(part)
+        sharp_edges.draw(part)
     return ob
 
 

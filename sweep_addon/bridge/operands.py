@@ -5,7 +5,7 @@
 import bpy
 
 from ..core.parameters import ShapeError
-from . import solvers, trees
+from . import sharp_edges, solvers, trees
 
 BLENDERS = {name: identifier for identifier, name in trees.OPERATIONS.items()}
 SUFFIX = "Operands"
@@ -40,6 +40,7 @@ def combine(result, operands, operation):
     for operand in operands:
         adopt(result, operand)
         add_step(result, operation, operand)
+    sharp_edges.draw(result)
     return tuple(filter(None, (solvers.choose(result), *told)))
 
 
@@ -107,6 +108,8 @@ def extract(result, modifier):
     """Take a step out of a tree: its modifier goes, and its operand is free where it stands."""
     operand = modifier.object
     result.modifiers.remove(modifier)
+    if not trees.is_tree(result):
+        sharp_edges.undraw(result)
     if operand and not users(operand):
         release(result, operand)
 
@@ -148,7 +151,7 @@ def take_apart(result):
 def collapse(result):
     """Make a tree an ordinary mesh, as it is shown, and remove the operands that nothing else is made from."""
     own = result.data
-    others = [m for m in result.modifiers if m.type != "BOOLEAN" and m.show_viewport]
+    others = [m for m in trees.others(result) if m.show_viewport]
     for modifier in others:
         modifier.show_viewport = False
     depsgraph = bpy.context.evaluated_depsgraph_get()
@@ -159,6 +162,7 @@ def collapse(result):
     freed = trees.operands(result)
     for modifier in trees.booleans(result):
         result.modifiers.remove(modifier)
+    sharp_edges.undraw(result)
     result.data = made
     made.name = own.name
     if not own.users:

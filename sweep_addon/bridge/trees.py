@@ -15,6 +15,7 @@ from ..core.laws import Constant
 from ..core.parameters import ShapeError, at, require
 from ..core.solids import Triangles
 from . import models, objects
+from .sharp_edges import is_drawer
 
 OPERATIONS = {"UNION": "union", "INTERSECT": "intersection", "DIFFERENCE": "difference"}
 ROUNDING = 1e-6  # of matrices, which Blender keeps in single precision
@@ -30,6 +31,11 @@ def booleans(ob):
 def is_tree(ob):
     """Whether an object is the result of set operations."""
     return bool(booleans(ob))
+
+
+def others(ob):
+    """The modifiers of a tree that are no part of it, but for the one that draws its cuts as edges."""
+    return [modifier for modifier in ob.modifiers if modifier.type != "BOOLEAN" and not is_drawer(modifier)]
 
 
 def steps(ob):

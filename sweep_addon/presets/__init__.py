@@ -15,6 +15,7 @@ from ..core.later import later
 from ..core.parameters import at, pick
 from ..core.shapes import SHAPES
 
+csg = later("core.csg")
 shape_of, tables = later("core.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
@@ -72,4 +73,4 @@ def shape(name):
         path = pick(PATHS, name)
     table = tables(path.read_bytes())
     table.pop("render", None)  # how its picture is made is a question for `batch`
-    return shape_of(SHAPES, table)
+    return shape_of((*SHAPES, *csg.NODES), table)

@@ -53,7 +53,7 @@ class Layout:
     def operator(self, idname, text="", icon="NONE", **_):
         space, verb = idname.split(".")
         known = getattr(getattr(bpy.ops, space), verb).get_rna_type()
-        self.drawn.append(idname)
+        self.drawn += [idname, text] if text else [idname]
         return Options(known)
 
 

@@ -154,7 +154,7 @@ def test_a_cycle_by_way_of_a_sweep_that_moves_the_result_is_refused(scene):
     select(body, mover)
     with pytest.raises(RuntimeError, match="is made from 'body'"):
         bpy.ops.object.sweep_union()
-    assert len(body.modifiers) == 1
+    assert len(trees.booleans(body)) == 1
 
 
 def add_general(generator):
@@ -326,3 +326,15 @@ def test_a_tree_that_moves_is_read_as_a_swept_solid_and_follows_its_operands(sce
     bpy.context.view_layer.update()
     after = places(mover.data)
     assert after.shape != before.shape or np.abs(after - before).max() > 0.01
+
+
+def test_cuts_are_drawn_as_edges_after_all_other_modifiers(scene):
+    """A bar of 4 sides through a cube: 12 edges of the cube, 4 corners of the hole, and 8 where it goes in and out."""
+    body = drilled()
+    body.modifiers.new("Later", "BEVEL").show_viewport = False
+    shown_mesh = body.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    sharp = np.zeros(len(shown_mesh.edges), bool)
+    shown_mesh.attributes["sharp_edge"].data.foreach_get("value", sharp)
+    assert body.modifiers[-1].type == "NODES" and sharp.sum() == 12 + 4 + 8
+    bpy.ops.object.sweep_step_extract(step="Difference")
+    assert [modifier.type for modifier in body.modifiers] == ["BEVEL"]

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Trees as objects and Boolean modifiers: to Blender and back, and by hand in the modifiers' own panel."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import shown
+from scenes import select, shown
 
 import sweep_addon as sw
+from sweep_addon.bridge import trees
 
 BLOCK = sw.TranslationalSweep(sw.contours.Rectangle(2.0, 2.0), height=1.0)
 BAR = sw.TranslationalSweep(sw.contours.Rectangle(1.0, 1.0), height=3.0)
@@ -47,3 +50,62 @@ def test_a_tree_comes_back_and_shows_the_volume_that_manifold3d_finds(scene, tre
     assert same(tree, sw.from_object(ob))
     assert shown(ob).volume() == pytest.approx(tree.mesh().volume(), rel=1e-5)
     assert not len(shown(ob).boundary_edges())
+
+
+def test_where_a_tree_is_placed_it_stands_in_the_scene(scene):
+    """A base that is placed is read in its own space: the tree is the same one elsewhere."""
+    tree = sw.Placed(BLOCK.moved(y=2.0) - BAR.moved(y=2.0, z=-1.0), [(0, -1, 0, 5), (1, 0, 0, 0), (0, 0, 1, 0)])
+    ob = sw.to_object(tree, "result")
+    assert np.allclose(np.array(ob.matrix_world)[:3, 3], (3, 0, 0), atol=1e-6)
+    assert same(BLOCK - BAR.moved(z=-1.0), sw.from_object(ob))
+
+
+def test_solids_become_sweeps_with_their_parameters(scene):
+    ob = sw.to_object(sw.solids.Block(1.0, 1.0, 1.0) - sw.solids.Cylinder(0.2, 2.0), "result")
+    (drill,) = trees.operands(ob)
+    assert shown(ob).volume() == pytest.approx(1 - 32 * 0.04 * np.sin(2 * np.pi / 64), rel=1e-5)
+    drill.data.sweep.translational_sweep.contour_circle_radius = 0.4
+    assert shown(ob).volume() == pytest.approx(1 - 32 * 0.16 * np.sin(2 * np.pi / 64), rel=1e-5)
+
+
+def test_a_swept_solid_is_a_general_sweep_of_the_object_that_moves(scene):
+    solid = BLOCK - BAR.moved(z=-1.0)
+    node = sw.SweptSolid(solid, sw.RigidMotion(sw.trajectories.Line(end=(3, 0, 0)), turn_z="0.5*t"), cells=12)
+    ob = sw.to_object(BLOCK | node.moved(z=2.0), "result")
+    (mover,) = trees.operands(ob)
+    assert mover.data.sweep.general_sweep.generator == "OBJECT"
+    assert same(BLOCK | node.moved(z=2.0), sw.from_object(ob))
+
+
+def test_what_cannot_be_made_leaves_nothing_behind(scene):
+    before = len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.collections)
+    bad = sw.GeneralizedCylinder(trajectory=sw.trajectories.Line(), scale_x="1/t")
+    with pytest.raises(sw.ShapeError, match=r"steps\.1\.operand"):
+        sw.to_object(BLOCK - bad)
+    assert (len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.collections)) == before
+
+
+def test_a_tree_is_copied_as_a_job_and_as_python(scene):
+    ob = sw.to_object(TREES["nested"], "result")
+    select(ob)
+    for form in ("JOB", "PYTHON"):
+        clipboard = SimpleNamespace()
+        operator = SimpleNamespace(form=form, report=lambda *_: None)
+        context = SimpleNamespace(active_object=ob, window_manager=clipboard)
+        assert bpy.ops.object.sweep_copy.poll()
+        assert bpy.types.OBJECT_OT_sweep_copy.execute(operator, context) == {"FINISHED"}
+        if form == "JOB":
+            assert sw.load(clipboard.clipboard) == sw.from_object(ob)
+        else:
+            before = set(scene.collection.objects)
+            exec(clipboard.clipboard, {})
+            (made,) = set(scene.collection.objects) - before
+            assert sw.from_object(made) == sw.from_object(ob)
+
+
+def test_presets_of_trees_are_added_where_the_cursor_is(scene):
+    scene.cursor.location = (1, 2, 3)
+    assert bpy.ops.mesh.sweep_preset_add(preset="SWEEP_CSG_TWO_TRIANGLES") == {"FINISHED"}
+    ob = bpy.context.active_object
+    assert ob.select_get() and trees.is_tree(ob) and tuple(ob.location) == (1, 2, 3)
+    assert shown(ob).volume() == pytest.approx(sw.presets.shape("sweep_csg_two_triangles").mesh().volume(), rel=1e-5)
