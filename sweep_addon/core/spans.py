@@ -90,7 +90,7 @@ class Spans:
 
         The points are given by what they are made of, (m, 3), as `affine` says.
         """
-        found, ends = np.zeros((len(z), 4, z.shape[1])), np.concatenate(([-np.inf], self.ends, [np.inf]))
+        found, ends = np.empty((len(z), 4, z.shape[1])), np.concatenate(([-np.inf], self.ends, [np.inf]))
         low, high = z.min(axis=0), z.max(axis=0)
         first, last = np.searchsorted(self.ends, (low.min(), high.max()))
         own = np.full(z.shape, last - first >= FEW)
@@ -106,8 +106,8 @@ class Spans:
             start, end = max(low[rings].min(), ends[span]), min(high[rings].max(), ends[span + 1])
             part, centre, radius = self.part(span, start, end)
             lines = (weights @ part.reshape(3, -1)).reshape(len(weights), 4, -1)
-            x = (z[:, rings] - centre) / radius
-            found[:, :, rings] += lines @ powers(x, part.shape[-1], inside).swapaxes(0, 1)
+            values = lines @ powers((z[:, rings] - centre) / radius, part.shape[-1]).swapaxes(0, 1)
+            np.copyto(found[:, :, rings], values, where=inside[:, None])
         if own.any():
             point, ring = np.nonzero(own)
             there = stacked(self.bending.axis(z[own]))
@@ -121,8 +121,8 @@ class Spans:
         """
         centre, radius = (start + end) / 2, (end - start) / 2 or 1.0
         place, scale = (centre - self.middle[span]) / self.half[span], radius / self.half[span]
-        raised = powers(np.array((place, scale)), ORDER)
-        found = self.coefficients[span] @ (BINOMIALS * raised[ABOVE, 0] * raised[:, 1])
+        places, scales = np.power(((place,), (scale,)), np.arange(ORDER))
+        found = self.coefficients[span] @ (BINOMIALS * places[ABOVE] * scales)
         counted = np.abs(found).max(axis=(0, 1)) > ROUNDING * np.abs(found).max()
         return found[..., : np.flatnonzero(counted)[-1] + 1], centre, radius
 
@@ -186,10 +186,10 @@ def stacked(axis):
     return found
 
 
-def powers(x, terms, first=1.0):
-    """The powers of x, (...), from the lowest on: (terms, ...); all are 0 where that is given as 0."""
+def powers(x, terms):
+    """The powers of x, (...), from the lowest on: (terms, ...)."""
     found = np.empty((terms, *x.shape))
-    found[0] = first
+    found[0] = 1.0
     for degree in range(1, terms):
         np.multiply(found[degree - 1], x, out=found[degree])
     return found

@@ -143,8 +143,8 @@ def looked_at(plane, whole, points, side):
         beyond, most = float((-above[:, 0] / outward).max()), FARTHEST * (total + float(np.abs(points).max()))
         require(beyond <= most, f"must cut within {most:.6g} m of the trajectory's end", beyond)
         far = max(beyond, 0.0) + total
-        z = np.insert(z, 0, z[0] + (far if side else -far))
-        above = np.column_stack((above[:, 0] + far * outward, above))
+        z = np.concatenate(([z[0] + (far if side else -far)], z))
+        above = np.concatenate((above[:, :1] + far * outward, above), axis=1)
     return z, above
 
 
