@@ -109,6 +109,9 @@ def levels():
             faces = f"{len(surface.triangles):,}"
             rows.append([f"{part:.0%} of the size", cells, short(times[""]), faces, near, whole, len(surface.crossing)])
             told.append(f"- {len(triangles):,} faces, {part:.0%}, {cells} cells: {verdict(times[''], most, ' s')}")
+            if cells == 128:
+                out = 1 - ((lower >= 0.99 * radius) & (upper <= 1.03 * radius)).mean()
+                told.append(f"- the part of them that is not proved to be within 0.99 and 1.03: {verdict(out, 0.01)}")
     return table(["radius", "cells", "s", "faces", "99 %", "all", "crossing"], rows) + "\n\n" + "\n".join(told)
 
 
