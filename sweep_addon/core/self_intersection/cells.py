@@ -155,11 +155,11 @@ def triangles_cross(a, b, tolerance):
     """
     over_a, over_b = heights(a, b), heights(b, a)
     one, other, which = np.nonzero(reach_through(over_a, tolerance) & reach_through(over_b, tolerance).swapaxes(0, 1))
-    a_side, b_side = ((slice(None), TRIANGLES[side].T, which) for side in (one, other))
-    a, b = a[a_side], b[b_side]
+    a_side, b_side = (TRIANGLES[side].T for side in (one, other))
+    a, b = (part.reshape(3, -1).take(side * part.shape[2] + which, axis=1) for part, side in ((a, a_side), (b, b_side)))
     found = (
-        pierced(a, over_a[other, a_side[1], which], b, tolerance),
-        pierced(b, over_b[one, b_side[1], which], a, tolerance),
+        pierced(a, over_a[other, a_side, which], b, tolerance),
+        pierced(b, over_b[one, b_side, which], a, tolerance),
     )
     through, points = (np.concatenate(part, axis=-1) for part in zip(*found, strict=True))
     return which[through], points
@@ -200,9 +200,10 @@ def pierced(edges, over, triangles, tolerance):
 
 def blocks(start, way, triangles, which):
     """Edges (3, m) and the triangles (3, 3, m) that they may go through, so many at a time that caches hold them."""
+    corners = triangles.shape[2] * np.arange(3)[:, None]
     for first in range(0, max(len(which), 1), BLOCK):
         some = slice(first, first + BLOCK)
-        yield start[:, some], way[:, some], triangles.take(which[some], axis=2)
+        yield start[:, some], way[:, some], triangles.reshape(3, -1).take(corners + which[some], axis=1)
 
 
 def between_sides(start, way, triangles):
