@@ -72,8 +72,9 @@ def level_set(field, low, high, step):
     which, creased = at_creases(field, plain, pairs, floor, step)
     if not field.ridges:  # valleys are narrow, and their cells' neighbours know both sides
         which = which[np.abs(creased.values[which]) > OFF * step]
-    places = where_edges_cross(field, band, dual, which)
-    edged, _ = placed(field, creased, which, places, floor, step, better=True)
+    places, bent = where_edges_cross(field, band, dual, which)
+    wanted = bent | (np.abs(creased.values[which]) > OFF * step)
+    edged, _ = placed(field, creased, which[wanted], places[wanted], floor, step, better=True)
     triangles = cut(dual.quads, edged)
     corner_cells = np.tile(dual.cell[dual.quads], (2, 1))
     vertices, crossing = untangled((start, plain, creased, edged), triangles, corner_cells, dual.cell)

@@ -8,8 +8,9 @@ does not come into the cell, or off where these are.
 
 import numpy as np
 
+from ..vectors import norms
 from .band import CORNERS
-from .creases import meeting_places
+from .creases import TURN, meeting_places
 from .cycles import EDGES
 
 HALVINGS = 4  # of an edge: its crossing is known to a 32nd, and the plane there to the square of that
@@ -29,8 +30,10 @@ def where_edges_cross(field, band, dual, which):
 
     Returns
     -------
-    (k, 3) float array
+    places : (k, 3) float array
         Within the vertices' cells, in metres.
+    bent : (k,) bool array
+        Whether the planes turn: else all are of one sheet, and tell nothing of where it ends.
 
     Source
     ------
@@ -47,7 +50,7 @@ def where_edges_cross(field, band, dual, which):
     >>> cube = Implicit(lambda points: np.abs(points).max(axis=1) - 1)
     >>> band = narrow_band(cube, (-1, -1, -1), (1, 1, 1), 0.3)
     >>> dual = dual_surface(band)
-    >>> where_edges_cross(cube, band, dual, np.array([0])).round(6)
+    >>> where_edges_cross(cube, band, dual, np.array([0]))[0].round(6)
     array([[-1., -1., -1.]])
     """
     number = np.full(len(dual.cell), -1)
@@ -60,7 +63,9 @@ def where_edges_cross(field, band, dual, which):
     means = np.stack([np.bincount(own, part[crossing], len(which)) for part in places.T], axis=1) / count
     found = meeting_places(means, own, feet[crossing], normals[crossing])
     low = band.low + band.step * band.cells[dual.cell[which]]
-    return np.clip(found, low, low + band.step)
+    mean = np.stack([np.bincount(own, part[crossing], len(which)) for part in normals.T], axis=1) / count
+    bent = np.bincount(own, norms(normals[crossing] - mean[own]) > TURN / 2, len(which)) > 0
+    return np.clip(found, low, low + band.step), bent
 
 
 def apart(band, cell, edge):
