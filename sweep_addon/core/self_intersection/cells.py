@@ -19,7 +19,7 @@ SPARSE = (256, 16, 1)  # every so many pairs of cells are looked at, until some 
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))  # of a cell: which column, its own or the next, and which ring
 TRIANGLES = np.array(((0, 1, 2), (0, 2, 3)))  # their corners
 NEXT = [1, 2, 0]  # corner of a triangle
-BLOCK = 4096  # edges and triangles
+BLOCK = 4096  # pairs that are looked at together, so that caches hold them
 
 
 class Crossings(NamedTuple):
@@ -43,24 +43,36 @@ def crossing(lattice, first, last):
     bands = last[0] - first[0]
     apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
     first, last = first[:, apart], last[:, apart]
-    a, b = quads(lattice, first), quads(lattice, last)
-    tolerance = TOUCHING * lattice.size
-    near = np.flatnonzero(reach_slabs(a, b, tolerance))
-    a, b = a.take(near, axis=2), b.take(near, axis=2)
-    nearer = np.flatnonzero(reach_slabs(b, a, tolerance))
-    near, a, b = near[nearer], a.take(nearer, axis=2), b.take(nearer, axis=2)
+    quads, tolerance = corners(lattice, np.concatenate((first[0], last[0]))), TOUCHING * lattice.size
+    some = (slice(start, start + BLOCK) for start in range(0, max(first.shape[1], 1), BLOCK))
+    parts = [reaching(quads(first[:, part]), quads(last[:, part]), part.start, tolerance) for part in some]
+    near, a, b = (np.concatenate(part, axis=-1) for part in zip(*parts, strict=True))
     which, points = triangles_cross(a, b, tolerance)
     return Crossings(*np.stack((first, last), axis=2)[:, near[which]], points.T)
 
 
-def quads(lattice, cells):
-    """The corners of cells, (2, k) bands and columns: (3, 4, k)."""
-    band, column = cells
-    used, which = np.unique(band, return_inverse=True)
-    points = np.moveaxis(lattice.points(np.stack((used, used + 1), axis=1)), -1, 0)  # axis, column, band, ring
-    columns = column, lattice.grid.following[column]
-    corner = np.stack([(columns[beside] * len(used) + which) * 2 + up for beside, up in CORNERS])
-    return np.stack([part.ravel().take(corner) for part in points])
+def corners(lattice, bands):
+    """A function from cells of some bands, (2, k) bands and columns, to their corners, (3, 4, k)."""
+    used = np.unique(bands)
+    row = np.zeros(lattice.bands, int)
+    row[used] = np.arange(len(used))
+    points = lattice.points(np.stack((used, used + 1), axis=1))  # column, band, ring, axis
+    points = np.moveaxis(points, -1, 0).reshape(3, -1)
+
+    def quads(cells):
+        band, column = row[cells[0]], (cells[1], lattice.grid.following[cells[1]])
+        numbers = [(column[beside] * len(used) + band) * 2 + up for beside, up in CORNERS]
+        return points.take(np.stack(numbers), axis=1)
+
+    return quads
+
+
+def reaching(a, b, start, tolerance):
+    """Those of pairs of cells, (3, 4, k) twice, that reach into the slabs of each other: their numbers, and both."""
+    near = np.flatnonzero(reach_slabs(a, b, tolerance))
+    a, b = a.take(near, axis=2), b.take(near, axis=2)
+    nearer = np.flatnonzero(reach_slabs(b, a, tolerance))
+    return start + near[nearer], a.take(nearer, axis=2), b.take(nearer, axis=2)
 
 
 def candidates(lattice, pairs):
@@ -199,7 +211,7 @@ def pierced(edges, over, triangles, tolerance):
 
 
 def blocks(start, way, triangles, which):
-    """Edges (3, m) and the triangles (3, 3, m) that they may go through, so many at a time that caches hold them."""
+    """Edges (3, m) and the triangles (3, 3, m) that they may go through, some at a time."""
     corners = triangles.shape[2] * np.arange(3)[:, None]
     for first in range(0, max(len(which), 1), BLOCK):
         some = slice(first, first + BLOCK)
