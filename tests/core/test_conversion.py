@@ -339,3 +339,17 @@ def test_what_is_no_outline_is_refused_in_a_sentence(corners, bulges, sentence):
 def test_open_contours_are_refused():
     with pytest.raises(ShapeError, match="contour: must be closed"):
         convert(Outline([square(1, 0, 0)], closed=False))
+
+
+@pytest.mark.parametrize("size", [1e-4, 1e-7, 1e-9, 1e-11])
+def test_details_however_small_are_kept(size):
+    """A block less one, and less a fillet if its corner is round; one more where a fillet is too small a pattern.
+
+    Nothing is halved: what touches is not measured by what is larger than the detail.
+    """
+    corners = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (size, 2), (0, 2 - size)]
+    for bulge, expected, most in ((0.0, 3 - size**2 / 2, 2), (QUARTER, 3 - (1 - np.pi / 4) * size**2, 4)):
+        found = decompose(corners, [0, 0, 0, 0, 0, bulge, 0])
+        assert found.signed_area() == pytest.approx(expected, rel=1e-14)
+        assert [step.operation for step in found.steps].count("halve") == 0
+        assert len(found.primitives) <= most - (bulge > 0 and size > 1e-8)

@@ -120,16 +120,17 @@ def decompose(corners, bulges=None):
     """
     loop = prepared(corners, bulges)
     tolerance = Tolerance.of(loop)
+    fine = tolerance._replace(near=tolerance.least)  # where edges are shorter than what counts as touching
     steps, outline, halvings = [], loop, 0
     while not (kind := kind_of(outline)):
-        found = best(outline, tolerance)
-        if not found and any(outline.bulges) and halvings < MOST_HALVINGS:
-            halvings += 1
-            steps.append(Step("halve", None, halved(outline)))
-        else:
-            found = found or best(outline, tolerance._replace(near=0.0))
-            require(found, "must not cross or touch itself", "one that does", "outline")
+        found = best(outline, tolerance) or best(outline, fine)
+        if found:
             steps.append(reduced(outline, found, tolerance))
+        else:
+            halvings += 1
+            possible = any(outline.bulges) and halvings <= MOST_HALVINGS
+            require(possible, "must not touch itself", "one that does", "outline")
+            steps.append(Step("halve", None, halved(outline)))
         outline = steps[-1].remaining
     steps.append(Step("start", Primitive(kind, outline), None))
     return Decomposition(loop, tuple(steps))
