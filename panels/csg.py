@@ -80,6 +80,9 @@ def draw_tree(layout, context, ob):
     row.operator("object.sweep_tree_duplicate", text="Duplicate")
     row.operator("object.sweep_tree_collapse")
     row.operator("object.sweep_tree_take_apart")
+    row = layout.row(align=True)
+    row.operator("object.sweep_classify")
+    row.operator("object.sweep_tree_evaluate")
     if not objects.is_sweep(ob):  # the panel of a sweep has these too
         row = layout.row(align=True)
         row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"

@@ -13,6 +13,7 @@ from ..sweep_addon.core.parameters import parameters
 from ..sweep_addon.core.resolving import MEETING
 from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes import CLASSIFICATION
+from ..sweep_addon.core.translational_sweep import TranslationalSweep
 from . import previews
 from .sentences import sentences
 
@@ -103,9 +104,13 @@ def draw_sweep(layout, context, mesh, say):
         row = layout.row(align=True)
         for name in some:
             row.operator("object.sweep_edit_as_curve", text=f"Edit {name.title()}").parameter = name
+    if shape is TranslationalSweep:
+        layout.operator("object.sweep_convert_to_csg")
     if hasattr(shape, "bend"):
         layout.operator("object.sweep_bend")
-    layout.operator("object.sweep_apply")
+    row = layout.row(align=True)
+    row.operator("object.sweep_apply")
+    row.operator("object.sweep_classify")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"

@@ -18,13 +18,15 @@ from . import meshes, objects, operands, sharp_edges, solvers, trees
 HERE = np.eye(4)
 
 
-def to_object(operand, name=None):
+def to_object(operand, name=None, called=None):
     """An operand as a live object of the scene: a tree with its operands in a collection beside it.
 
     Parameters
     ----------
     operand : Operand
     name : str, optional
+    called : callable, optional
+        Gives the name of an operand's object; by default what it is.
 
     Returns
     -------
@@ -37,7 +39,7 @@ def to_object(operand, name=None):
         Where a part cannot be made; the scene is as it was.
     """
     name = name or objects.title(type(operand))
-    grove = Grove(bpy.data.collections.new(f"{name} {operands.SUFFIX}"))
+    grove = Grove(bpy.data.collections.new(f"{name} {operands.SUFFIX}"), called or kind)
     try:
         ob, place = grove.grown(operand, name)
         if is_sheared(place):
@@ -62,8 +64,8 @@ def to_object(operand, name=None):
 class Grove:
     """The objects that are being made of a tree, in one collection."""
 
-    def __init__(self, collection):
-        self.collection = collection
+    def __init__(self, collection, called):
+        self.collection, self.called = collection, called
 
     def fell(self):
         """Remove all that was made."""
@@ -93,7 +95,7 @@ class Grove:
                 result, place = self.mesh_object(closed_mesh(tree.base), name), HERE
         for number, step in enumerate(tree.steps, 1):
             with at(f"steps.{number}.operand"):
-                ob, there = self.grown(step.operand, kind(step.operand))
+                ob, there = self.grown(step.operand, self.called(step.operand))
             self.attach(ob, result, np.linalg.solve(place, there))
             operands.add_step(result, spelled(step.operation), ob)
         return result, place
@@ -101,9 +103,9 @@ class Grove:
     def swept_solid(self, node, name):
         """The object of a general sweep whose generator is the object of the solid."""
         with at("solid"):
-            ob, place = self.grown(node.solid, kind(node.solid))
+            ob, place = self.grown(node.solid, self.called(node.solid))
             if not np.array_equal(place, HERE):  # a generator is read in its own space
-                ob = self.mesh_object(closed_mesh(node.solid), kind(node.solid))
+                ob = self.mesh_object(closed_mesh(node.solid), self.called(node.solid))
         sweep = self.linked(objects.new_mesh(node.sweep(Triangles()), name, generator=ob))
         self.attach(ob, sweep, HERE)
         return sweep

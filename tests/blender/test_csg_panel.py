@@ -118,6 +118,10 @@ def test_a_copy_of_the_result_alone_says_whose_operands_it_uses(scene):
     assert "too: Duplicate" not in " ".join(drawn(body))
 
 
+def test_a_tree_can_be_classified_against_and_made_one_sweep(scene):
+    assert {"object.sweep_classify", "object.sweep_tree_evaluate"} <= set(drawn(result()))
+
+
 def test_other_modifiers_are_said_to_be_no_part_of_it(scene):
     body = result()
     assert "no part of the tree" not in " ".join(drawn(body))

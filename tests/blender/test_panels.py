@@ -77,6 +77,12 @@ def test_a_sweep_shows_every_parameter_once_and_what_can_be_done(scene):
     assert "contour_circle_radius" in calls and "contour_rectangle_width" not in calls
 
 
+def test_an_extrusion_can_be_taken_apart_into_primitives(scene):
+    plate = sw.to_object(sw.TranslationalSweep())
+    assert "object.sweep_convert_to_csg" in drawn(plate) and "object.sweep_classify" in drawn(plate)
+    assert "object.sweep_convert_to_csg" not in drawn(sweep()) and "object.sweep_classify" in drawn(sweep())
+
+
 def test_folded_groups_draw_nothing_of_theirs(scene):
     calls = drawn(sweep(), folded=True)
     for p in parameters(sw.GeneralizedCylinder):
