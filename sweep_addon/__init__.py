@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sweep: shapes made by moving a generator along a trajectory.
+"""Sweep: shapes made by moving a generator along a trajectory, and by grammars.
 
 Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a live object of the scene.
 
@@ -26,6 +26,8 @@ __all__ = [
     "CanalSurface",
     "GeneralSweep",
     "GeneralizedCylinder",
+    "GrammarError",
+    "LSystem",
     "Mesh",
     "OffsetSurface",
     "PDCurve",
@@ -62,6 +64,8 @@ if find_spec("bpy"):  # else `import *` would ask for what plain Python does not
     __all__ += ["from_object", "to_object"]
 
 LATER = {
+    "GrammarError": ".core.grammars",
+    "LSystem": ".core.grammars",
     "Mesh": ".core.mesh",
     "PDCurve": ".core.pd_curve",
     "Placed": ".core.csg",

@@ -59,7 +59,10 @@ def members():
 
 
 PUBLIC, MEMBERS = dict(public()), dict(members())
-DECLARED = {name: value for name, value in PUBLIC.items() if hasattr(value, "__dataclass_fields__") and name != "Mesh"}
+MADE = ("Mesh", "LSystem")  # whose fields are no parameters
+DECLARED = {
+    name: value for name, value in PUBLIC.items() if hasattr(value, "__dataclass_fields__") and name not in MADE
+}
 NAMED = PUBLIC | MEMBERS
 FUNCTIONS = [name for name, value in PUBLIC.items() if inspect.isroutine(value)]
 IN_METRES = {*FUNCTIONS, *MEMBERS} - {"load", "to_object", "from_object"}

@@ -14,17 +14,34 @@ from math import isfinite
 import numpy as np
 
 from .frozen import frozen
-from .functions import COMPARISON, CONSTANTS, FUNCTIONS, INFIX, NEGATION, POWER, PREFIX
+from .functions import COMPARISON, INFIX, LAWS, NEGATION, POWER, PREFIX
 from .parameters import ShapeError, require
 
 LONGEST = 2000  # characters of a text
 DEEPEST = 100  # brackets, signs and powers inside one another
+DRAW = "draw "  # how the name of a random number begins; no text can say it
 
 TOKEN = re.compile(
     r"(?P<space>\s+)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)"
-    r"|(?P<symbol>\*\*|&&|\|\||[<>=!]=|[-+*/%^<>!(),])|(?P<nothing>.)",
+    r"|(?P<symbol>\*\*|&&|\|\||[<>=!]=|[-+*/%^<>!(),&|=])|(?P<nothing>.)",
     re.ASCII | re.DOTALL,
 )
+
+
+class MisreadError(ShapeError):
+    """A refusal of a text, with the place in it.
+
+    Attributes
+    ----------
+    place : int
+        The character that is wrong, from 0.
+    found, expected : str
+        What is there, and what would do.
+    """
+
+    def __init__(self, sentence, place, found, expected):
+        super().__init__(sentence)
+        self.place, self.found, self.expected = place, found, expected
 
 
 @frozen
@@ -36,7 +53,7 @@ class Expression:
     text : str
         What it was read from.
     names : tuple of str
-        The names it uses, each once; an expression without names is constant.
+        The names it uses, each once; an expression without names is constant. Random numbers are names too: ``draw 0``.
     program : tuple
         The tree in postfix order: numbers, names, and functions with the number of values they take.
     """
@@ -85,8 +102,9 @@ def compile(text, names):
 
     Numbers, the given names, ``pi``, ``tau``, ``e``; ``+ - * /``, ``%`` with the sign of the divisor, ``^`` or ``**``
     from right to left and before a sign, so that ``-2^2`` is -4; comparisons, which are 1 or 0; ``&& || !`` or
-    ``and or not``; and the functions abs acos asin atan atan2 ceil clamp cos cosh exp floor if lerp log log10 max min
-    mod pow round sign sin sinh smoothstep sqrt tan tanh trunc. ``if(condition, yes, no)`` chooses for each sample.
+    ``and or not``; ``= & |`` as other spellings of them; and the functions abs acos asin atan atan2 ceil clamp cos cosh
+    exp floor if lerp log log10 max min mod pow round sign sin sinh smoothstep sqrt tan tanh trunc. ``if(condition, yes,
+    no)`` chooses for each sample.
 
     Parameters
     ----------
@@ -120,19 +138,26 @@ def compile(text, names):
 
 @lru_cache(maxsize=256)
 def compiled(text, names):
-    expression = Reader(text, names).read()
+    expression = read(text, names)
     if not expression.names:
         expression.evaluate()
     return expression
 
 
+def read(text, names, vocabulary=LAWS, drawn=0):
+    """Read an expression in the words of a kind of texts; random numbers are counted on from those drawn before."""
+    return Reader(text, names, vocabulary, drawn).read()
+
+
 class Reader:
     """Reads one text from left to right by operator precedence (Pratt 1973) and writes its postfix order."""
 
-    def __init__(self, text, names):
+    def __init__(self, text, names, vocabulary, drawn):
         self.text, self.names, self.depth, self.program, self.used = text, names, 0, [], {}
+        self.constants, self.functions, self.drawn = vocabulary.constants, vocabulary.functions, drawn
         if len(text) > LONGEST:
-            self.refuse(f"it is {len(text)} characters long, at most {LONGEST} are allowed", 0)
+            long = f"{len(text)} characters"
+            self.refuse(f"it is {long} long, at most {LONGEST} are allowed", 0, long, f"at most {LONGEST}")
         found = [match for match in TOKEN.finditer(text) if match.lastgroup != "space"]
         self.tokens = [(match.lastgroup, match.group(), match.start()) for match in found]
         self.tokens.append(("end", "", len(text)))
@@ -148,13 +173,15 @@ class Reader:
         """A value and the operators after it that bind at least so closely."""
         self.depth += 1
         if self.depth > DEEPEST:
-            self.refuse(f"more than {DEEPEST} levels{self.here()}", self.tokens[-1][2])
+            levels = f"more than {DEEPEST} levels"
+            self.refuse(f"{levels}{self.here()}", self.tokens[-1][2], levels, "fewer brackets, signs and powers")
         self.value(least)
         compared = False
         while self.tokens[-1][1] in INFIX and INFIX[self.tokens[-1][1]][0] >= least:
             binds, function = INFIX[self.tokens[-1][1]]
             if compared and binds == COMPARISON:
-                self.refuse(f"a second comparison{self.here()} needs && or brackets", self.tokens[-1][2])
+                second = "a second comparison"
+                self.refuse(f"{second}{self.here()} needs && or brackets", self.tokens[-1][2], second, "&& or brackets")
             compared = binds == COMPARISON
             self.tokens.pop()
             self.operation(binds if binds == POWER else binds + 1)
@@ -174,7 +201,7 @@ class Reader:
             self.close()
         elif kind == "number":
             if not isfinite(float(text)):
-                self.refuse(f"{shown(text, 20)}{self.here()} is too large", place)
+                self.refuse(f"{shown(text, 20)}{self.here()} is too large", place, shown(text, 20), "a smaller number")
             self.program.append(float(text))
             self.tokens.pop()
         elif kind == "name" and text not in INFIX and text not in PREFIX:
@@ -184,19 +211,22 @@ class Reader:
 
     def name(self):
         _, text, place = self.tokens[-1]
-        if text not in self.names and text not in CONSTANTS:
-            known = ", ".join(dict.fromkeys((*self.names, *CONSTANTS)))
-            self.refuse(f"{shown(text, 20)}{self.here()} is no name ({known} are)", place)
+        if text not in self.names and text not in self.constants:
+            known = ", ".join(dict.fromkeys((*self.names, *self.constants)))
+            said, of = f"{shown(text, 20)}{self.here()} is no name ({known} are)", f"one of the names {known}"
+            self.refuse(said, place, shown(text, 20), of)
         if text in self.names:
             self.used[text] = None
-        self.program.append(text if text in self.names else CONSTANTS[text])
+        self.program.append(text if text in self.names else self.constants[text])
         self.tokens.pop()
 
     def call(self):
         _, text, place = self.tokens[-1]
-        if text not in FUNCTIONS:
-            self.refuse(f"{shown(text, 20)}{self.here()} is no function ({', '.join(FUNCTIONS)} are)", place)
-        function, fewest, most = FUNCTIONS[text]
+        if text not in self.functions:
+            known = ", ".join(self.functions)
+            said, of = f"{shown(text, 20)}{self.here()} is no function ({known} are)", f"one of the functions {known}"
+            self.refuse(said, place, shown(text, 20), of)
+        function, fewest, most, *draws = self.functions[text]
         del self.tokens[-2:]
         count = 1
         self.operation(0)
@@ -207,8 +237,12 @@ class Reader:
         self.close()
         if not fewest <= count <= most:
             takes = f"{fewest}" if fewest == most else f"at least {fewest}"
-            self.refuse(f"{text} at character {place + 1} takes {takes} values, not {count}", place)
-        self.program.append((function, count))
+            said = f"{text} at character {place + 1} takes {takes} values, not {count}"
+            self.refuse(said, place, f"{count} values", f"{takes} values of {text}")
+        drawn = [f"{DRAW}{self.drawn + k}" for k in range(*draws)] if draws else []
+        self.drawn += len(drawn)
+        self.used |= dict.fromkeys(drawn)
+        self.program += [*drawn, (function, count + len(drawn))]
 
     def close(self):
         if self.tokens[-1][1] != ")":
@@ -218,19 +252,19 @@ class Reader:
     def missing(self, what):
         kind, text, place = self.tokens[-1]
         if kind == "nothing":
-            self.refuse(f"{shown(text, 20)}{self.here()} has no meaning", place)
+            self.refuse(f"{shown(text, 20)}{self.here()} has no meaning", place, shown(text, 20), what)
         before = f" before {shown(text, 20)}" if text else ""
-        self.refuse(f"{what} is missing{self.here()}{before}", place)
+        self.refuse(f"{what} is missing{self.here()}{before}", place, shown(text, 20) if text else "", what)
 
     def here(self):
         return f" at character {self.tokens[-1][2] + 1}"
 
-    def refuse(self, what, place):
+    def refuse(self, what, place, found, expected):
         """Refuse the text and show no more than 40 characters of it, those around the place."""
         names = ", ".join(self.names) or "numbers"
         start = max(0, min(place - 20, len(self.text) - 34))
         near = ("..." if start else "") + self.text[start:]
-        raise ShapeError(f"must be an expression of {names}: {what}, got {shown(near, 40)}")
+        raise MisreadError(f"must be an expression of {names}: {what}, got {shown(near, 40)}", place, found, expected)
 
 
 def shown(text, most):

@@ -28,7 +28,7 @@ def smoothstep(low, high, x):
     return x * x * (3 - 2 * x)
 
 
-FUNCTIONS = {  # name: function, fewest and most values
+FUNCTIONS = {  # name: function, fewest and most values; where it draws random numbers, how many
     **{name: (getattr(np, name), 1, 1) for name in "sin cos tan sinh cosh tanh sqrt exp log log10".split()},
     **{name: (getattr(np, name), 1, 1) for name in "abs floor ceil trunc round sign".split()},
     "asin": (np.arcsin, 1, 1),
@@ -53,16 +53,19 @@ PREFIX = {
     "-": (SIGN, np.negative),
     "+": (SIGN, np.positive),
 }
-INFIX = {
+INFIX = {  # & | = are what "The Algorithmic Beauty of Plants" prints
     "||": (1, truth(np.logical_or)),
+    "|": (1, truth(np.logical_or)),
     "or": (1, truth(np.logical_or)),
     "&&": (2, truth(np.logical_and)),
+    "&": (2, truth(np.logical_and)),
     "and": (2, truth(np.logical_and)),
     "<": (COMPARISON, truth(np.less)),
     "<=": (COMPARISON, truth(np.less_equal)),
     ">": (COMPARISON, truth(np.greater)),
     ">=": (COMPARISON, truth(np.greater_equal)),
     "==": (COMPARISON, truth(np.equal)),
+    "=": (COMPARISON, truth(np.equal)),
     "!=": (COMPARISON, truth(np.not_equal)),
     "+": (5, np.add),
     "-": (5, np.subtract),
@@ -72,3 +75,13 @@ INFIX = {
     "^": (POWER, np.power),
     "**": (POWER, np.power),
 }
+
+
+class Vocabulary:
+    """The constants and functions that texts of one kind may use; operators are the same everywhere."""
+
+    def __init__(self, constants=CONSTANTS, functions=FUNCTIONS):
+        self.constants, self.functions = constants, functions
+
+
+LAWS = Vocabulary()

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Neighbours of modules in a word with branches, for all modules at once.
+
+Modules that are sorted by how many branches they are in, and keep their order otherwise, stand next to their
+neighbours: those of one branch follow each other, behind a mark where the branch begins. On the left of a branch is
+what it grows out of; on the right of its last module is nothing.
+"""
+
+import numpy as np
+
+from .tables import ASKS, CLOSES, OPENS, SEEN
+
+MODULE, PASSES, BEGINS = range(3)  # what stands in the sorted order: PASSES sees neighbours and is not seen
+STEP = np.zeros(256, dtype=np.int8)
+STEP[OPENS], STEP[CLOSES] = 1, -1
+
+
+def depths(kind):
+    """(n,) int array: in how many branches each module is; a bracket that opens is inside, one that closes is not."""
+    return np.cumsum(STEP[kind], dtype=np.int32)
+
+
+class Neighbours:
+    """The neighbours of all modules of a word.
+
+    Parameters
+    ----------
+    kind : (n,) uint8 array
+        What each module is to contexts.
+    branches : int
+        How many branches behind a module somebody may ask for.
+
+    Attributes
+    ----------
+    left, right : (n + 1,) int array
+        The module before on the way to the root, and the next in the same branch; n where there is none.
+    branch : list of (n + 1,) int array
+        The first module of the first, second, ... branch behind a module, before its right neighbour.
+
+    Examples
+    --------
+    >>> word = "A[B]C[DE]F"
+    >>> kind = np.array([{"[": OPENS, "]": CLOSES}.get(letter, SEEN) for letter in word], dtype=np.uint8)
+    >>> found = Neighbours(kind, branches=1)
+    >>> [(word + "-")[found.left[word.index(letter)]] for letter in "ABCDEF"]
+    ['-', 'A', 'A', 'C', 'D', 'C']
+    >>> [(word + "-")[found.right[word.index(letter)]] for letter in "ABCDEF"]
+    ['C', '-', 'F', 'E', '-', '-']
+    >>> [(word + "-")[found.branch[0][word.index(letter)]] for letter in "AC"]
+    ['B', 'D']
+    """
+
+    def __init__(self, kind, branches=0):
+        self.none = len(kind)
+        depth = depths(kind)
+        at = np.flatnonzero((kind == SEEN) | (kind == OPENS) | (kind == ASKS))
+        opens = kind[at] == OPENS
+        at = np.repeat(at, 1 + opens)  # a bracket passes where its branch grows out, and begins the branch
+        begins = np.zeros(len(at), dtype=bool)
+        begins[np.flatnonzero(kind[at] == OPENS)[1::2]] = True
+        level = depth[at] - ((kind[at] == OPENS) & ~begins)
+        order = np.argsort(narrow(level), kind="stable")
+        self.at, self.level = at[order], level[order]
+        self.what = np.where(begins, BEGINS, np.where(kind[at] == SEEN, MODULE, PASSES))[order]
+        place = np.empty(len(order), dtype=np.intp)
+        place[order] = np.arange(len(order))
+        self.begun = place[np.minimum(order + 1, len(order) - 1)] if len(order) else place  # by a bracket that passes
+
+        self.before, self.after = self.solid()
+        self.brackets = np.flatnonzero(self.opens())
+        self.left, self.right = self.links()
+        self.branch = [self.branches(number) for number in range(branches)]
+
+    def solid(self):
+        """The entry before and behind each in the sorted order that is seen; -1 and the number of entries for none."""
+        count = len(self.what)
+        number = np.arange(count)
+        seen = self.what != PASSES
+        before = np.concatenate(([-1], np.maximum.accumulate(np.where(seen, number, -1))[:-1])) if count else number
+        after = np.minimum.accumulate(np.where(seen, number, count)[::-1])[::-1]
+        return before, np.concatenate((after[1:], [count])) if count else number
+
+    def links(self):
+        left, right = (np.full(self.none + 1, self.none) for _ in range(2))
+        asking = np.flatnonzero(self.what != BEGINS)
+        brackets = self.brackets
+        owner = np.full(len(self.what) + 1, -1)  # of the entry where a branch begins; -1 of all others, and of none
+        owner[self.begun[brackets]] = self.before[brackets]
+        beginning = self.begun[brackets]
+        while True:  # out of branches that begin with branches
+            out = owner[beginning]
+            again = (out >= 0) & (self.what[out] == BEGINS)
+            if not again.any():
+                break
+            owner[beginning[again]] = owner[out[again]]
+        found = self.before[asking]
+        inner = (found >= 0) & (self.what[found] == BEGINS)
+        found[inner] = owner[found[inner]]
+        known = found >= 0
+        left[self.at[asking[known]]] = self.at[found[known]]
+        right[self.at[asking]] = self.module_after(asking)
+        return left, right
+
+    def opens(self):
+        """(k,) bool array: which entries are brackets, and not modules that pass."""
+        same = np.zeros(len(self.at), dtype=bool)
+        passing = self.what == PASSES
+        follows = self.begun[passing]
+        same[passing] = (self.what[follows] == BEGINS) & (self.at[follows] == self.at[passing])
+        return same
+
+    def module_after(self, entries):
+        """The module of the same branch behind entries, or none."""
+        found = np.minimum(self.after[entries], len(self.what) - 1)
+        is_there = (self.after[entries] < len(self.what)) & (self.what[found] == MODULE)
+        is_there &= self.level[found] == self.level[entries]
+        return np.where(is_there, self.at[found], self.none)
+
+    def branches(self, number):
+        """The first module of the so-manieth branch behind each module."""
+        first = np.full(self.none + 1, self.none)
+        asking = np.flatnonzero(self.what != BEGINS)
+        asking = asking[~np.isin(asking, self.brackets)]
+        place = np.searchsorted(self.brackets, asking) + number
+        asking, place = asking[place < len(self.brackets)], place[place < len(self.brackets)]
+        bracket = self.brackets[place]
+        behind = np.where(self.what[asking] == MODULE, asking, self.before[asking]) == self.before[bracket]
+        behind &= self.level[asking] == self.level[bracket]
+        first[self.at[asking[behind]]] = self.module_after(self.begun[bracket[behind]])
+        return first
+
+
+def narrow(level):
+    """Levels in as few bytes as hold them, which sort faster."""
+    most = int(level.max(initial=0))
+    return level.astype(np.uint8 if most < 256 else np.uint16 if most < 65536 else np.uint32)
+
+
+def removed(kind, cuts):
+    """(n,) bool array: what cuts take away, each itself and all behind it in its branch.
+
+    >>> word = "A[B%C[D]]E"
+    >>> kind = np.array([{"[": OPENS, "]": CLOSES}.get(letter, SEEN) for letter in word], dtype=np.uint8)
+    >>> "".join(letter for letter, cut in zip(word, removed(kind, [3])) if not cut)
+    'A[B]E'
+    """
+    depth = depths(kind)
+    inner = depth + (kind == CLOSES)
+    at = np.union1d(cuts, np.flatnonzero(kind == CLOSES))
+    order = np.argsort(narrow(inner[at]), kind="stable")
+    at, level = at[order], inner[at][order]
+    closing = np.where(kind[at] == CLOSES, np.arange(len(at)), len(at))
+    closing = np.minimum.accumulate(closing[::-1])[::-1]
+    cut = np.flatnonzero(kind[at] != CLOSES)
+    end = np.append(at, len(kind))[closing[cut]]
+    apart = np.append(level, -1)[closing[cut]] != level[cut]
+    change = np.zeros(len(kind) + 1, dtype=np.int32)
+    np.add.at(change, at[cut], 1)
+    np.add.at(change, np.where(apart, len(kind), end), -1)
+    return np.cumsum(change[:-1]) > 0

@@ -1,0 +1,184 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The text of a grammar, line by line, as a system; every line that is wrong is told of."""
+
+import re
+from dataclasses import fields
+
+from ..parameters import ShapeError, require
+from . import directives
+from .constants import constants
+from .directives import MOST_GENERATIONS, MOST_NAMES, directive
+from .grouping import check_probabilities
+from .modules import Alphabet
+from .passages import ENDED, Passage, PassageError, shown
+from .problems import GrammarError, Problem
+from .productions import production
+from .vocabulary import value, words
+
+LONGEST = 1_000_000  # characters of a text
+MOST_LINES = 20_000
+DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
+SECTION = re.compile(
+    r"\s*(axiom|ω|productions|group\s+\d{1,6}|decomposition|homomorphism|maximum\s+depth)\s*:", re.IGNORECASE
+)
+
+
+class Reader:
+    """Reads one text: first what all lines need, names and constants, and then the lines."""
+
+    def __init__(self, text, given):
+        self.problems, self.told, self.rules = [], {}, []
+        lines = list(enumerate(re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff")), 1))
+        self.last = lines[-1]
+        self.given = given
+        self.lines = [found for line in lines if (found := self.attempt(self.parted, *reversed(line)))]
+
+    def attempt(self, act, *told):
+        """What reading a line gives, or nothing where it is wrong."""
+        try:
+            return act(*told)
+        except PassageError as wrong:
+            self.problems.append(wrong.problem)
+
+    def parted(self, line, number):
+        """A line as the word of its directive, or nothing, its passage without comment, and the comment."""
+        found = directive(line, number)
+        word, passage = found if found else ("", Passage(line, number))
+        start = passage.start
+        code, mark, comment = line[start:].partition("#")
+        passage = Passage(line, number, start, start + len(code))
+        for at, letter in enumerate(code):
+            if ord(letter) < 32 and letter != "\t" or letter == "\x7f":
+                Passage(line, number, start + at).refuse("text", 0, f"the character {ord(letter)}")
+        return (word, passage, comment.strip()) if word or passage.text else None
+
+    def read(self):
+        """The parts of the system, by their names."""
+        names = [name for passage, _ in self.told_of("names") for name in self.attempt(directives.names, passage) or ()]
+        self.told["names"] = tuple(dict.fromkeys(name for name in names if len(name) > 1))
+        require(len(names) <= MOST_NAMES, f"must have at most {MOST_NAMES} names", len(names))
+        self.alphabet = Alphabet(self.told["names"])
+        self.told["constants"], problems = constants(self.told_of("define"), self.given)
+        self.problems += problems
+        self.constants = {constant.name: constant.value for constant in self.told["constants"]}
+        unknown = [name for name in self.given if name not in self.constants]
+        require(not unknown or problems, f"must be one of {', '.join(self.constants) or 'none'}", unknown, "constants")
+        self.vocabulary = words(self.constants, random=False)
+        for word, passage, _ in self.lines:
+            if word:
+                self.attempt(getattr(self, f"tell_{word}", self.number), passage, word)
+        self.section = ("productions", 0)
+        for word, passage, _ in self.lines:
+            if not word:
+                self.attempt(self.line, passage)
+        if "axiom" not in self.told:
+            number, line = self.last
+            self.problems.append(Problem(number, len(line) + 1, ENDED, "a line 'axiom: ...' in the text", line))
+        check_probabilities(self.rules, self.problems, self.lines)
+        if self.problems:
+            raise GrammarError(self.problems)
+        return self.told | self.sections()
+
+    def told_of(self, word):
+        """The passages and comments of a directive."""
+        return [(passage, comment) for other, passage, comment in self.lines if other == word]
+
+    def tell_names(self, passage, word):
+        """They are told before."""
+
+    tell_define = tell_names
+
+    def tell_dialect(self, passage, word):
+        if passage.text not in directives.DIALECTS:
+            passage.refuse(f"one of the dialects {', '.join(directives.DIALECTS)}", 0, shown(passage.text))
+        self.told["dialect"] = passage.text
+
+    def tell_ignore(self, passage, word):
+        other = {"ignore": "consider", "consider": "ignore"}[word]
+        if other in self.told:
+            passage.refuse("either #ignore or #consider", 0, "both")
+        self.told[word] = self.told.get(word, ()) + directives.ignored(passage, self.alphabet)
+
+    tell_consider = tell_ignore
+
+    def tell_generations(self, passage, word):
+        self.told[word] = directives.whole(passage, self.vocabulary, MOST_GENERATIONS)
+
+    def tell_seed(self, passage, word):
+        self.told[word] = directives.whole(passage, self.vocabulary, directives.LARGEST_SEED)
+
+    def tell_tropism(self, passage, word):
+        told = directives.numbers(passage, self.vocabulary, 4, "a direction and the susceptibility")
+        if not any(told[:3]):
+            passage.refuse("a direction that is not 0", 0, shown(passage.text))
+        self.told[word] = told
+
+    def tell_groups(self, passage, word):
+        self.told["schedule"] = directives.schedule(passage)
+
+    def number(self, passage, word):
+        self.told[word] = value(passage, self.vocabulary)
+
+    def line(self, passage):
+        """A line that is no directive: a section, the axiom or a production."""
+        match = SECTION.match(passage.text)
+        if match:
+            passage = self.sectioned(match, passage)
+        if passage and passage.text:
+            self.rules.append((self.section, production(passage, self.alphabet, self.constants)))
+
+    def sectioned(self, match, passage):
+        """What is left of a line that begins with the name of a section."""
+        kind, *number = match.group(1).lower().split()
+        rest = passage.part(match.end())
+        if kind in ("axiom", "ω"):
+            if "axiom" in self.told:
+                passage.refuse("one axiom", 0, "a second one")
+            if not rest.text:
+                rest.refuse("the modules of the axiom")
+            self.told["axiom"] = ()  # there is one, right or wrong
+            self.told["axiom"], _ = self.alphabet.word(rest, (), words(self.constants))
+            return None
+        if kind == "maximum":
+            if self.section[0] not in ("decomposition", "homomorphism"):
+                passage.refuse("a depth in a decomposition or homomorphism", 0, shown(match.group()))
+            self.told[f"{self.section[0]}_depth"] = directives.whole(rest, self.vocabulary, DEPTH)
+            return None
+        self.section = (kind, int(number[0])) if number else (kind, 0)
+        return rest
+
+    def sections(self):
+        """The productions of each section."""
+        kinds = {section: [] for section, _ in self.rules}
+        for section, rule in self.rules:
+            kinds[section].append(rule)
+        groups = sorted((number, tuple(rules)) for (kind, number), rules in kinds.items() if kind == "group")
+        named = {kind: tuple(kinds.get((kind, 0), ())) for kind in ("productions", "decomposition", "homomorphism")}
+        return named | {"groups": tuple(groups)}
+
+
+def read(kind, text, given):
+    """The system that a text describes.
+
+    Parameters
+    ----------
+    kind : class
+        LSystem.
+    text : str
+    given : dict of str to float
+        Values of constants that stand for those of the text.
+
+    Raises
+    ------
+    GrammarError
+        With every line that is wrong.
+    """
+    require(isinstance(text, str), "must be text", text)
+    if len(text) > LONGEST or text.count("\n") >= MOST_LINES:
+        lines = text.count("\n") + 1
+        most = f"at most {LONGEST:,} characters in {MOST_LINES:,} lines"
+        raise ShapeError(f"must have {most}, got {len(text):,} in {lines:,}", "grammar")
+    told = Reader(text, given).read()
+    assert told.keys() <= {field.name for field in fields(kind)}
+    return kind(**told)

@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One step of any grammar: all modules of a word are replaced at once, in the order of the word.
+
+Lengths of successors give places by a cumulative sum; then each module is written once. What takes longer than this for
+special kinds of grammars is in `doubling` and `forest`, whose words are the same.
+"""
+
+import numpy as np
+
+from ..expressions import DRAW
+from .draws import even, mixed
+from .matching import finite, taken
+from .neighbours import Neighbours, removed
+
+
+class State:
+    """A word in the making.
+
+    Attributes
+    ----------
+    symbols : (n,) uint8 or uint16 array
+    columns : list of (n,) float64 array
+        The first parameter of all modules, the second, ...; 0 where a module has none.
+    keys : (n,) uint64 array or None
+        What the random numbers of each module hang on, where there are any.
+    births : (n,) int32 array or None
+        The step that made each module.
+    """
+
+    def __init__(self, symbols, columns, keys=None, births=None):
+        self.symbols, self.columns, self.keys, self.births = symbols, columns, keys, births
+
+    @property
+    def ended(self):
+        """(n + 1,) array: the symbols, and what is no symbol where there is no module."""
+        return np.append(self.symbols, self.symbols.dtype.type(-1 % 2 ** (8 * self.symbols.itemsize)))
+
+    def __len__(self):
+        return len(self.symbols)
+
+
+def first(tables, key):
+    """The axiom."""
+    template = tables.axiom
+    columns = [np.zeros(len(template.symbols)) for _ in range(tables.columns)]
+    keys = mixed(key + template.salts) if tables.random else None
+    state = State(
+        np.array(template.symbols, dtype=tables.dtype), columns, keys, np.zeros(len(template.symbols), np.int32)
+    )
+    for place, column, value in template.fixed:
+        columns[column][place] = value
+    for place, column, formula in template.formulas:  # of random numbers alone
+        drawn = {name: even(key, 0, 1 + int(name.removeprefix(DRAW))) for name in formula.names}
+        columns[column][place] = formula.run(drawn)[0]
+    return state
+
+
+def step(state, tables, rules, moment, birth, room):
+    """The word after a step.
+
+    Parameters
+    ----------
+    state : State
+    tables : Tables
+    rules : Rules
+    moment : int
+        The step, for random numbers.
+    birth : int
+        The step, as modules remember it.
+    room : callable
+        Called with the number of modules to come before they are made; it may refuse.
+
+    Returns
+    -------
+    State
+    bool
+        Whether any module was replaced.
+    """
+    kind = tables.kind[state.symbols]
+    links = Neighbours(kind, rules.branches) if rules.context else None
+    cuts = np.flatnonzero(state.symbols == tables.cut) if tables.cut is not None else ()
+    gone = removed(kind, cuts) if len(cuts) else None
+
+    replaced = []
+    sizes = np.ones(len(state), dtype=np.intp)
+    for template, site in taken(state, rules, moment, links):
+        if gone is not None:
+            site = site.keep(np.flatnonzero(~gone[site.rows[0]]))
+        sizes[site.rows[0]] = len(template.symbols)
+        replaced.append((template, site))
+    if gone is not None:
+        sizes[gone] = 0
+    if not replaced and gone is None:
+        return state, False
+
+    ends = np.cumsum(sizes)
+    total = int(ends[-1]) if len(ends) else 0
+    room(total)
+    return written(state, replaced, gone, ends - sizes, total, moment, birth), True
+
+
+def written(state, replaced, gone, starts, total, moment, birth):
+    """The word of the modules that stay and of what replaces the others, each from its place on."""
+    symbols = np.empty(total, dtype=state.symbols.dtype)
+    columns = [np.zeros(total) for _ in state.columns]
+    keys = None if state.keys is None else np.empty(total, dtype=np.uint64)
+    births = None if state.births is None else np.full(total, birth, dtype=np.int32)
+
+    stays = np.ones(len(state), dtype=bool) if gone is None else ~gone
+    for _, site in replaced:
+        stays[site.rows[0]] = False
+    stays = np.flatnonzero(stays)
+    to = starts[stays]
+    symbols[to] = state.symbols[stays]
+    for column, old in zip(columns, state.columns, strict=True):
+        column[to] = old[stays]
+    if keys is not None:
+        keys[to] = state.keys[stays]
+    if births is not None:
+        births[to] = state.births[stays]
+
+    for template, site in replaced:
+        at = starts[site.rows[0]]
+        for place, symbol in enumerate(template.symbols):
+            symbols[at + place] = symbol
+        for place, column, value in template.fixed:
+            columns[column][at + place] = value
+        known = {}
+        for place, column, formula in template.formulas:
+            if formula.program not in known:
+                value = finite(site.values(formula, template.sources), template.rule, told(template, place, column))
+                known[formula.program] = value
+            columns[column][at + place] = known[formula.program]
+        if keys is not None:
+            parents = state.keys[site.rows[0]]
+            for place in range(len(template.symbols)):
+                keys[at + place] = parents if len(template.symbols) == 1 else mixed(parents + template.salts[place])
+    return State(symbols, columns, keys, births)
+
+
+def told(template, place, column):
+    """Of which module of a successor a parameter is."""
+    return f"parameter {column + 1} of {template.names[place]} in the successor"

@@ -1,0 +1,186 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A system as tables: modules are numbers, productions lists of numbers and formulas."""
+
+import numpy as np
+
+from ..expressions import DRAW
+from .draws import salts
+from .grouping import ROUNDING, grouped
+from .modules import CLOSE, OPEN
+
+CUT = "%"
+HIDDEN, SEEN, OPENS, CLOSES, ASKS = range(5)  # what a module is to a context; the last is hidden but has a context
+
+
+class Tables:
+    """What a derivation looks up.
+
+    Attributes
+    ----------
+    symbols : list of (str, int)
+        Name and number of parameters of each module, by its number.
+    kind : (s + 1,) uint8 array
+        What each is to contexts; the last is no module.
+    productions : dict of int to Rules
+        Those of each group.
+    """
+
+    def __init__(self, system):
+        self.system = system
+        self.numbers, self.symbols = {}, []
+        sections = [
+            system.productions,
+            system.decomposition,
+            system.homomorphism,
+            *(rules for _, rules in system.groups),
+        ]
+        self.axiom = Template(system.axiom, self)
+        for rule in (rule for section in sections for rule in section):
+            for module in (rule.predecessor, *rule.successor, *rule.left, *rule.right):
+                self.number(module)
+        self.groups = {number: Rules([*rules, *system.productions], self) for number, rules in system.groups}
+        self.common = Rules(system.productions, self)
+        self.decomposition = Rules(system.decomposition, self)
+        self.homomorphism = Rules(system.homomorphism, self)
+        self.columns = max((count for _, count in self.symbols), default=0)
+        self.dtype = np.uint8 if len(self.symbols) < 255 else np.uint16
+        self.kind = self.kinds(sections)
+        self.cut = self.numbers.get((CUT, 0))
+        every = (self.common, self.decomposition, self.homomorphism, *self.groups.values())
+        self.random = self.axiom.random or any(rules.random for rules in every)
+
+    def number(self, module):
+        """The number of a module or pattern."""
+        if module.symbol not in self.numbers:
+            self.numbers[module.symbol] = len(self.symbols)
+            self.symbols.append(module.symbol)
+        return self.numbers[module.symbol]
+
+    def kinds(self, sections):
+        """(s + 1,) uint8 array: what each module is to contexts."""
+        system = self.system
+        asks = {rule.predecessor.symbol for rules in sections for rule in rules if rule.left or rule.right}
+        found = []
+        for name, count in self.symbols:
+            seen = name in system.consider if system.consider is not None else name not in (system.ignore or ())
+            hidden = ASKS if (name, count) in asks else HIDDEN
+            found.append({OPEN: OPENS, CLOSE: CLOSES}.get(name, SEEN if seen else hidden))
+        return np.array([*found, HIDDEN], dtype=np.uint8)
+
+    def of_step(self, step):
+        """The productions of a step, from 1."""
+        system = self.system
+        if not self.groups:
+            return self.common
+        if system.schedule is None:
+            begun = [number for number in self.groups if number <= step]
+            return self.groups[max(begun)] if begun else self.common
+        groups, again = system.schedule
+        return self.groups.get(groups[(step - 1) % len(groups) if again else min(step, len(groups)) - 1], self.common)
+
+
+class Rules:
+    """The productions of one section, by the modules that they replace."""
+
+    def __init__(self, productions, tables):
+        self.choices = {}
+        for group in grouped(productions):
+            self.choices.setdefault(tables.number(group[0].predecessor), []).append(Choice(group, tables))
+        every = [choice for choices in self.choices.values() for choice in choices]
+        self.context = any(choice.nodes for choice in every)
+        self.branches = max((count for choice in every for count in choice.branches), default=0)
+        self.random = any(choice.random for choice in every)
+        self.certain = all(choice.certain for choice in every)
+
+    def __bool__(self):
+        return bool(self.choices)
+
+
+class Choice:
+    """Productions that share predecessor, context and condition; one of them is taken by its probability.
+
+    Attributes
+    ----------
+    nodes : list of (int, str, int, int)
+        The modules of the context: from which node, by which link, the so-manieth, and which module must be there. Node
+        0 is the predecessor.
+    condition : Expression or None
+    bounds : (k,) float array
+        Up to which random number each production is taken.
+    templates : list of Template
+    """
+
+    def __init__(self, group, tables):
+        first = group[0]
+        self.productions = group
+        self.nodes = nodes(first, tables)
+        self.branches = [1 + count for _, link, count, _ in self.nodes if link == "branch"]
+        self.condition = first.condition
+        self.bounds = np.cumsum([rule.chance for rule in group])
+        if abs(self.bounds[-1] - 1) < ROUNDING:
+            self.bounds[-1] = 1.0
+        self.always = len(group) == 1 and self.bounds[-1] == 1
+        self.templates = [Template(rule.successor, tables, rule) for rule in group]
+        self.sources = sources(first)
+        drawing = self.condition is not None and any(name.startswith(DRAW) for name in self.condition.names)
+        self.random = not self.always or drawing or any(template.random for template in self.templates)
+        self.certain = self.condition is None and not self.nodes and self.always
+
+
+def patterns(rule):
+    """The patterns whose parameters a production may use: its predecessor, then its context from there outwards."""
+    right = (pattern for pattern in rule.right if pattern.name not in (OPEN, CLOSE))
+    return [rule.predecessor, *reversed(rule.left), *right]
+
+
+def sources(rule):
+    """Of which node and column each parameter of a production is."""
+    return {name: (node, column) for node, p in enumerate(patterns(rule)) for column, name in enumerate(p.parameters)}
+
+
+def nodes(rule, tables):
+    """The nodes of a context."""
+    found, at = [], 0
+    for pattern in reversed(rule.left):
+        found.append((at, "left", 0, tables.number(pattern)))
+        at = len(found)
+    at, behind, outer, link = 0, 0, [], ("right", 0)
+    for pattern in rule.right:
+        if pattern.name == OPEN:
+            outer.append((at, behind + 1))
+            link, behind = ("branch", behind), 0
+        elif pattern.name == CLOSE:
+            at, behind = outer.pop()
+            link = ("right", 0)
+        else:
+            found.append((at, *link, tables.number(pattern)))
+            at, behind, link = len(found), 0, ("right", 0)
+    return found
+
+
+class Template:
+    """What replaces a module.
+
+    Attributes
+    ----------
+    symbols : list of int
+    fixed : list of (int, int, float)
+        Place, column and value of parameters that are the same everywhere.
+    formulas : list of (int, int, Expression)
+        Place, column and formula of the others.
+    random : bool
+        Whether formulas draw random numbers.
+    salts : (k,) uint64 array
+    """
+
+    def __init__(self, modules, tables, rule=None):
+        self.symbols = [tables.number(module) for module in modules]
+        self.names = [module.name for module in modules]
+        self.rule = rule
+        self.sources = sources(rule) if rule else {}
+        each = [(k, c, p) for k, module in enumerate(modules) for c, p in enumerate(module.parameters)]
+        self.fixed = [(k, c, float(p.run({}))) for k, c, p in each if not p.names]
+        self.formulas = [(k, c, p) for k, c, p in each if p.names]
+        self.random = any(name.startswith(DRAW) for _, _, p in self.formulas for name in p.names)
+        self.salts = salts(self.names)

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The text of a system in the notation of the book; reading it gives the same system."""
+
+from .productions import told
+
+
+def written(system):
+    """The lines of a system as text.
+
+    Parameters
+    ----------
+    system : LSystem
+
+    Returns
+    -------
+    str
+    """
+    return "\n".join([*settings(system), f"axiom: {told(system.axiom)}", *sections(system), ""])
+
+
+def settings(system):
+    """The directives that say what is not the default."""
+    yield f"#dialect {system.dialect}"
+    if system.names:
+        yield f"#names {', '.join(system.names)}"
+    yield from map(str, system.constants)
+    for word, names in (("ignore", system.ignore), ("consider", system.consider)):
+        if names is not None:
+            yield f"#{word} {' '.join(names)}"
+    defaults = type(system).__dataclass_fields__
+    for word in ("angle", "step", "width", "generations", "seed"):
+        value = getattr(system, word)
+        if value != defaults[word].default:
+            yield f"#{word} {value!r}"
+    if system.tropism:
+        yield f"#tropism {' '.join(map(repr, system.tropism))}"
+    if system.schedule:
+        groups, again = system.schedule
+        yield f"#groups {' '.join(map(str, groups))}{' ...' if again else ''}"
+
+
+def sections(system):
+    """The productions, each section under its name."""
+    yield from map(str, system.productions)
+    for number, rules in system.groups:
+        yield f"group {number}:"
+        yield from map(str, rules)
+    for section in ("decomposition", "homomorphism"):
+        rules, depth = getattr(system, section), getattr(system, f"{section}_depth")
+        if rules:
+            yield f"{section}:"
+            yield from [] if depth is None else [f"maximum depth: {depth}"]
+            yield from map(str, rules)

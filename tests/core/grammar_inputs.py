@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Random grammars, as text."""
+
+from hypothesis import strategies as st
+
+ARITY = {"A": 0, "B": 1, "C": 2, "F": 0, "+": 0, "-": 0, "%": 0, "f": 1}
+LETTERS = [letter for letter in ARITY if letter != "%"]
+CONDITIONS = ["{0} > 1", "{0} < 2 || {0} > 3", "!({0} == 1)", "ran(1) < 0.5", "1"]
+VALUES = ["1", "2", "0.5", "{0} + 1", "{0}/2", "2*{0} - {0}^2/4", "ran({0})", "nran(1, 0.5)"]
+
+
+def letters(draw, names, count, parameters):
+    """So many modules, each with the parameters that it takes."""
+    return "".join(parameters(draw, draw(st.sampled_from(names))) for _ in range(count))
+
+
+def formulas(known, stochastic):
+    """Writes modules whose parameters are formulas of known names."""
+    values = VALUES if stochastic else VALUES[:-2]
+
+    def written(draw, letter):
+        told = [draw(st.sampled_from(values)).format(draw(st.sampled_from(known))) for _ in range(ARITY[letter])]
+        return f"{letter}({','.join(told)})" if told else letter
+
+    return written
+
+
+def word(draw, parameters, depth=2, cut=False):
+    """A word with branches."""
+    parts = []
+    for _ in range(draw(st.integers(0, 4))):
+        if depth and draw(st.integers(0, 3)) == 0:
+            parts.append(f"[{word(draw, parameters, depth - 1, cut)}]")
+        else:
+            parts.append(parameters(draw, draw(st.sampled_from(list(ARITY) if cut else LETTERS))))
+    return "".join(parts)
+
+
+@st.composite
+def grammars(draw, context=True, stochastic=True, cut=True):
+    """The text of a grammar whose words stay small for a few generations."""
+    lines, shared = [], set()
+    if context:
+        lines.append(draw(st.sampled_from(["", "#ignore + -", "#ignore f +", "#consider A B C F"])))
+    lines.append(f"axiom: A{word(draw, formulas(['2'], stochastic), cut=cut)}B(1)")
+    for _ in range(draw(st.integers(1, 6))):
+        fresh = iter("pqrstuvwxyz")
+
+        def named(draw, letter, fresh=fresh):
+            names = [next(fresh) for _ in range(ARITY[letter])]
+            return f"{letter}({','.join(names)})" if names else letter
+
+        sides, known = ["", "", ""], []
+        sides[1] = named(draw, draw(st.sampled_from(LETTERS)))
+        if context and draw(st.booleans()):
+            sides[0] = letters(draw, LETTERS, draw(st.integers(1, 2)), named)
+        if context and draw(st.booleans()):
+            sides[2] = letters(draw, LETTERS, draw(st.integers(0, 1)), named)
+            for _ in range(draw(st.integers(0, 2))):
+                sides[2] += f"[{letters(draw, LETTERS, 1, named)}]"
+            sides[2] += letters(draw, LETTERS, draw(st.integers(0 if sides[2] else 1, 1)), named)
+        known = sorted({letter for side in sides for letter in side if letter in "pqrstuvwxyz"}) or ["3"]
+        head = f"{sides[0]} < " * bool(sides[0]) + sides[1] + f" > {sides[2]}" * bool(sides[2])
+        if draw(st.booleans()):
+            conditions = CONDITIONS if stochastic else CONDITIONS[:3]
+            head += f" : {draw(st.sampled_from(conditions)).format(draw(st.sampled_from(known)))}"
+        made = [word(draw, formulas(known, stochastic), 1, cut) or "*" for _ in range(2)]
+        if stochastic and head not in shared and draw(st.booleans()):
+            shared.add(head)
+            lines += [f"{head} -(0.4)-> {made[0]}", f"{head} -(0.35)-> {made[1]}"]
+        else:
+            lines.append(f"{head} -> {made[0]}")
+    return "\n".join(filter(None, lines))

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A deriver that reads a word from left to right, one module after the other: what the one by arrays is compared with.
+
+It follows the book: a left context skips complete branches and steps out of its own, a right context skips branches and
+ends where its own does.
+"""
+
+from hashlib import blake2b
+
+GOLDEN, ALL = 0x9E3779B97F4A7C15, 2**64 - 1
+
+
+def mixed(x):
+    x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9 & ALL
+    x = (x ^ x >> 27) * 0x94D049BB133111EB & ALL
+    return x ^ x >> 31
+
+
+def salt(names, k):
+    ordinal = names[:k].count(names[k])
+    return int.from_bytes(blake2b(f"{ordinal} {names[k]}".encode(), digest_size=8).digest(), "little")
+
+
+def even(key, step, draw):
+    return (mixed(key + (step * 512 * 1024 + draw + 1) * GOLDEN & ALL) >> 11) / 2**53
+
+
+def children(modules, values, key, step):
+    """Successors as (name, parameters, key)."""
+    names = [module.name for module in modules]
+    numbers = {f"draw {k}": even(key, step, 1 + k) for k in range(20)}
+    for k, module in enumerate(modules):
+        parameters = tuple(float(p.run(values | numbers)) for p in module.parameters)
+        yield module.name, parameters, key if len(modules) == 1 and step else mixed(key + salt(names, k) & ALL)
+
+
+def derive(system, generations, seed=0):
+    """The words of all generations, each a list of (name, parameters, key)."""
+    words = [list(children(system.axiom, {}, mixed((seed + 1) * GOLDEN & ALL), 0))]
+    for step in range(1, generations + 1):
+        word, new, depth, cut = words[-1], [], 0, None
+        for at, module in enumerate(word):
+            depth += (module[0] == "[") - (module[0] == "]")
+            if cut is not None and depth < cut:
+                cut = None
+            if cut is None and module[0] == "%":
+                cut = depth
+            if cut is None:
+                new += rewritten(system, word, at, step)
+        words.append(new)
+    return words
+
+
+def rewritten(system, word, at, step):
+    name, parameters, key = word[at]
+    rules = system.productions
+    for rule in rules:
+        values = matched(system, rule, word, at, step)
+        if values is None:
+            continue
+        if rule.probability is None:
+            return list(children(rule.successor, values, key, step))
+        drawn, total = even(key, step, 0), 0.0
+        for other in rules:  # those with the same head share the chance
+            same = (other.predecessor, other.left, other.right, str(other.condition and other.condition.text))
+            if same == (rule.predecessor, rule.left, rule.right, str(rule.condition and rule.condition.text)):
+                total += other.chance
+                if drawn < total:
+                    return list(children(other.successor, values, key, step))
+        return [word[at]]
+    return [word[at]]
+
+
+def matched(system, rule, word, at, step):
+    """The values of parameters where a rule matches, or None."""
+    values = {}
+    if not bind(rule.predecessor, word[at], values):
+        return None
+    place, pattern = at, list(rule.left)
+    while pattern:
+        place = before(system, word, place)
+        if place is None or not bind(pattern.pop(), word[place], values):
+            return None
+    place = at + 1
+    for wanted in rule.right:
+        if wanted.name == "]":
+            place = past(word, place)
+            continue
+        place = behind(system, word, place, wanted.name == "[")
+        if place is None or not bind(wanted, word[place], values):
+            return None
+        place += 1
+    condition = rule.condition
+    if condition:
+        values |= {f"draw {k}": even(word[at][2], step, 1 + k) for k in range(20)}
+        if not condition.run(values):
+            return None
+    return values
+
+
+def bind(pattern, module, values):
+    if (pattern.name, len(pattern.parameters)) != (module[0], len(module[1])):
+        return False
+    values.update(zip(pattern.parameters, module[1], strict=True))
+    return True
+
+
+def hidden(system, name):
+    return name not in system.consider if system.consider is not None else name in (system.ignore or ())
+
+
+def before(system, word, place):
+    depth = 0
+    for at in range(place - 1, -1, -1):
+        name = word[at][0]
+        depth += (name == "]") - (name == "[")
+        if name == "[" and depth < 0:
+            depth = 0
+        elif depth == 0 and name not in "[]" and not hidden(system, name):
+            return at
+    return None
+
+
+def behind(system, word, place, branch):
+    """The next module of the same branch, or its next branch; None at its end."""
+    while place < len(word):
+        name = word[place][0]
+        if name == "]":
+            return None
+        if name == "[" and not branch:
+            place = past(word, place + 1)
+        elif name == "[" or not hidden(system, name) and not branch:
+            return place
+        elif branch and not hidden(system, name):
+            return None
+        else:
+            place += 1
+    return None
+
+
+def past(word, place):
+    """The place behind the bracket that closes the branch that a place is in."""
+    depth = 1
+    while depth:
+        depth += (word[place][0] == "[") - (word[place][0] == "]")
+        place += 1
+    return place
+
+
+def text(word):
+    """A word as the book prints it."""
+    return "".join(n + (f"({','.join(f'{p:.6g}' for p in ps)})" if ps else "") for n, ps, _ in word)
