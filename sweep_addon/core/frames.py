@@ -203,9 +203,12 @@ def axes(frame, stations, twist, symmetry=1):
     """
     normals, holonomy = rotation_minimizing(stations)
     angles, told = frame.angles(stations, normals, holonomy, symmetry)
-    cosine, sine, corners = *(f(angles + twist)[:, None] for f in (np.cos, np.sin)), stations.corners
-    across = binormals(stations)
-    e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
+    turned_by, across, corners = angles + twist, binormals(stations), stations.corners
+    if turned_by.any():
+        cosine, sine = np.cos(turned_by)[:, None], np.sin(turned_by)[:, None]
+        e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
+    else:
+        e2, e3 = normals.copy(), across.copy()  # others keep these
     if len(corners):
         e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
         e3[corners] = cross(stations.tangent[corners], e2[corners])
