@@ -75,7 +75,7 @@ class OffsetSurface(Operand):
         >>> mesh.told[0].split(":")[0]
         'Offset by rounded faces, as the solid has no more than 600 flat faces'
         """
-        return offset(self.body.mesh(), self.radius, self.side, self.tolerance, self.engine).mesh(self.radius, dtype)
+        return self.made().mesh(self.radius, dtype)
 
     @property
     def make_solid(self):
@@ -92,7 +92,7 @@ class OffsetSurface(Operand):
         return replace(mesh, vertices=(mesh.vertices + side * self.radius * ways).astype(dtype))
 
     def solid(self, progress=None):
-        """The mesh, which is the boundary of a solid, and tells when it begins and ends.
+        """The mesh, which is the boundary of a solid, and tells what part of it is done.
 
         Parameters
         ----------
@@ -110,9 +110,12 @@ class OffsetSurface(Operand):
         """
         progress = progress or (lambda part: None)
         progress(0.0)
-        made = self.mesh()
+        made = self.made(progress=progress).mesh(self.radius)
         progress(1.0)
         return made
+
+    def made(self, **told):
+        return offset(self.body.mesh(), self.radius, self.side, self.tolerance, self.engine, **told)
 
     def self_intersections(self):
         """Where the surface meets itself: nowhere, for it bounds a solid.

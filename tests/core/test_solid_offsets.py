@@ -340,3 +340,23 @@ def test_a_solid_of_given_triangles_is_offset_too():
     for side in Side:
         assert_valid(offset(solid.mesh(), 0.05, side))
     assert_valid(offset(Triangles.of(HOLLOW["bracket"]).mesh(), 0.01))
+
+
+@pytest.mark.parametrize("engine", [Engine.ROUNDED_FACES, Engine.LEVEL_SET])
+def test_progress_rises_step_by_step_and_what_it_raises_ends_the_work(engine):
+    told = []
+    shape = OffsetSurface(DrilledBlock(), 0.03, engine=engine)
+    made = shape.solid(progress=told.append)
+    assert told == sorted(told) and told[0] == 0 and told[-1] == 1 and len(told) >= 6
+    assert np.diff(told).max() < 0.4
+    assert (made.vertices == shape.mesh().vertices).all()
+
+    def cancel(part):
+        told.append(part)
+        if part > 0:
+            raise InterruptedError
+
+    told.clear()
+    with pytest.raises(InterruptedError):
+        shape.solid(progress=cancel)
+    assert len(told) == 2 and told[1] < 0.5

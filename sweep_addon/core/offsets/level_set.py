@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..frozen import individual
+from ..progress import unheard
 from ..vectors import dot
 from .band import narrow_band
 from .creases import OFF, at_creases, placed
@@ -12,6 +13,8 @@ from .dual import dual_surface
 from .on_edges import where_edges_cross
 from .untangling import untangled
 from .vertices import Vertices
+
+SHARES = 0.25, 0.45, 0.6, 0.75, 0.85  # of the work done after each step, as measured
 
 
 @individual
@@ -33,7 +36,7 @@ class Surface:
     crossing: np.ndarray
 
 
-def level_set(field, low, high, step):
+def level_set(field, low, high, step, progress=unheard):
     """The surface where a field is zero.
 
     Parameters
@@ -44,6 +47,8 @@ def level_set(field, low, high, step):
         A box that holds the surface, in metres.
     step : float
         The side of a cell, in metres: as far as vertices are apart.
+    progress : callable, optional
+        Is told which part is done, from 0 to 1, after each step; what it raises ends the work.
 
     Returns
     -------
@@ -64,20 +69,26 @@ def level_set(field, low, high, step):
     band = narrow_band(field, low, high, step)
     if not len(band.cells):
         return None
+    progress(SHARES[0])
     dual = dual_surface(band)
     floor = band.low + step * band.cells[dual.cell]
     start = Vertices(dual.starts, *field.normals(dual.starts, band.hints[dual.cell]))
+    progress(SHARES[1])
     plain = start.at(field, np.clip(start.foot, floor, floor + step))
+    progress(SHARES[2])
     pairs = np.concatenate([dual.quads[:, [i, (i + 1) % 4]] for i in range(4)])
     which, creased = at_creases(field, plain, pairs, floor, step)
+    progress(SHARES[3])
     if not field.ridges:  # valleys are narrow, and their cells' neighbours know both sides
         which = which[np.abs(creased.values[which]) > OFF * step]
     places, bent = where_edges_cross(field, band, dual, which)
     wanted = bent | (np.abs(creased.values[which]) > OFF * step)
     edged, _ = placed(field, creased, which[wanted], places[wanted], floor, step, better=True)
+    progress(SHARES[4])
     triangles = cut(dual.quads, edged)
     corner_cells = np.tile(dual.cell[dual.quads], (2, 1))
     vertices, crossing = untangled((start, plain, creased, edged), triangles, corner_cells, dual.cell)
+    progress(1.0)
     return Surface(vertices, triangles, crossing)
 
 

@@ -11,6 +11,7 @@ from ..facets import facets
 from ..frozen import individual
 from ..parameters import ShapeError, require
 from ..polyhedron import polyhedron
+from ..progress import unheard, within
 from ..vectors import cross, dot, norms
 from ..wording import shown
 from .around import Around
@@ -97,7 +98,7 @@ class Offset:
         return polyhedron(self.vertices.astype(dtype), self.triangles, told=self.told(radius))
 
 
-def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMATIC):
+def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMATIC, progress=unheard):
     """The boundary of what a ball visits that moves over the surface of a solid.
 
     Parameters
@@ -110,6 +111,8 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
     tolerance : float
         How far the offset may be from the true one on smooth parts, in metres; 0 is by the size of the solid.
     engine : Engine
+    progress : callable, optional
+        Is told which part is done, from 0 to 1; what it raises ends the work.
 
     Returns
     -------
@@ -133,7 +136,7 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
     require(radius >= least, f"must be at least {least:.3g}, {LEAST:g} of the size of the body", radius, "radius")
     engine, reason = chosen(engine, vertices, triangles, side, meridians(radius, tolerance))
     made = {Engine.CONVEX: by_hull, Engine.ROUNDED_FACES: by_faces, Engine.LEVEL_SET: by_level_set}[engine]
-    found = made(vertices, triangles, radius, side, tolerance)
+    found = made(vertices, triangles, radius, side, tolerance, progress)
     require(len(found[1]), "must leave something of the solid inside", radius, "radius")
     return replace(Offset(*found[:2], engine, reason, *found[2:]), tolerance=tolerance)
 
@@ -155,13 +158,14 @@ def chosen(engine, vertices, triangles, side, around):
     return Engine.ROUNDED_FACES, f"the solid has no more than {FEW} flat faces"
 
 
-def by_hull(vertices, triangles, radius, side, tolerance):
+def by_hull(vertices, triangles, radius, side, tolerance, progress):
     """The offset of a convex solid."""
     parts = []
     if side != Side.INSIDE:
         step = arc(radius, tolerance, len(vertices))
         made = convex_offset(vertices, triangles, radius, step)
         parts.append((*made, least_distances(*made, radius, step), np.full(len(made[1]), radius)))
+        progress(1.0 if side == Side.OUTSIDE else 0.5)
     if side != Side.OUTSIDE:
         inner, faces = convex_inset(vertices, triangles, radius)
         exact = np.full(len(faces), radius)
@@ -187,16 +191,18 @@ def meridians(radius, tolerance):
     return max(4 * np.ceil(np.sqrt(2) * np.pi / half / 4), 8) if half else np.inf
 
 
-def by_faces(vertices, triangles, radius, side, tolerance):
+def by_faces(vertices, triangles, radius, side, tolerance, progress):
     """The offset of a solid of few faces."""
-    swept = rounded(vertices, triangles, radius, int(min(meridians(radius, tolerance), MOST_SIDES)))
+    swept = rounded(
+        vertices, triangles, radius, int(min(meridians(radius, tolerance), MOST_SIDES)), within(progress, 0, 0.9)
+    )
     grown, shrunk = offset_bodies(vertices, triangles, swept.body)
     *made, _ = arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
     count = len(made[1])
     return *made, np.full(count, swept.inscribed * radius), np.full(count, radius)
 
 
-def by_level_set(vertices, triangles, radius, side, tolerance):
+def by_level_set(vertices, triangles, radius, side, tolerance, progress):
     """The offset of any solid."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     step = cells(radius, tolerance, (high - low).max())
@@ -206,10 +212,12 @@ def by_level_set(vertices, triangles, radius, side, tolerance):
         about = high - low + 2 * radius
         raise too_fine(np.sqrt(PLACES * max(area, 2 * dot(about, np.roll(about, 1))) / MOST_CORNERS), radius, tolerance)
     parts, crossing = [], 0
-    for outward in {Side.OUTSIDE: (True,), Side.INSIDE: (False,), Side.SHELL: (True, False)}[side]:
+    ways = {Side.OUTSIDE: (True,), Side.INSIDE: (False,), Side.SHELL: (True, False)}[side]
+    for number, outward in enumerate(ways):
         field = Around(vertices, triangles, radius, outward, step)
         room = radius if outward else 0.0
-        surface = clear(field, low - room, high + room, step, tolerance)
+        share = within(progress, number / len(ways), (number + 1) / len(ways))
+        surface = clear(field, low - room, high + room, step, tolerance, share)
         if surface is not None:
             faces = surface.triangles if outward or side == Side.SHELL else surface.triangles[:, ::-1]
             parts.append((surface.vertices.places, faces, *field.interval(surface)))
@@ -217,10 +225,10 @@ def by_level_set(vertices, triangles, radius, side, tolerance):
     return *together(parts), crossing
 
 
-def clear(field, low, high, step, tolerance):
+def clear(field, low, high, step, tolerance, progress):
     """The level set of a field, refusals told of what people gave."""
     try:
-        return level_set(field, low, high, step)
+        return level_set(field, low, high, step, progress)
     except TornError as error:
         raise ShapeError("must not cross itself", "body") from error
     except TooFineError as error:

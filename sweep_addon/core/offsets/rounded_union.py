@@ -7,10 +7,13 @@ import numpy as np
 from ..booleans import arrays, body, hull_body, library, united
 from ..components import components
 from ..frozen import individual
+from ..progress import unheard
 from ..vectors import dot, norms, unit
 from .convex import shared_edges
 from .sphere import globe
 
+GROUP = 16  # bodies that are united between two reports of progress
+UNITED = 0.75  # of the work: the groups; the rest is to unite these
 FLAT = 1e-9  # of a unit normal: faces that differ by less are one
 
 
@@ -32,7 +35,7 @@ class Rounded:
     inscribed: float
 
 
-def rounded(vertices, triangles, radius, sides):
+def rounded(vertices, triangles, radius, sides, progress=unheard):
     """All that is within a radius of a surface of triangles.
 
     Parameters
@@ -44,6 +47,8 @@ def rounded(vertices, triangles, radius, sides):
         In metres.
     sides : int
         Meridians of the ball, a multiple of four.
+    progress : callable, optional
+        Is told which part is done, from 0 to 1; what it raises ends the work.
 
     Returns
     -------
@@ -56,11 +61,19 @@ def rounded(vertices, triangles, radius, sides):
     corners, faces, _ = arrays(facets)
     planes = unit(np.cross(*(corners[faces[:, i]] - corners[faces[:, 0]] for i in (1, 2))))
     inscribed = float(dot(planes, corners[faces[:, 0]]).min())
-    pieces = []
-    for normal, polygon in flat_faces(vertices, triangles):
+    flat, done, group = list(flat_faces(vertices, triangles)), [], []
+    for number, (normal, polygon) in enumerate(flat, 1):
         moved = np.concatenate((radius * ball, [radius * normal, -radius * normal]))
-        pieces.append(hull_body((vertices[polygon][:, None] + moved).reshape(-1, 3)))
-    return Rounded(united(pieces), len(pieces), inscribed)
+        group.append(hull_body((vertices[polygon][:, None] + moved).reshape(-1, 3)))
+        if len(group) == GROUP or number == len(flat):
+            done.append(united(group))
+            done[-1].status()  # or it would wait until all of them are asked for
+            group = []
+            progress(UNITED * number / len(flat))
+    whole = united(done)
+    whole.status()
+    progress(1.0)
+    return Rounded(whole, len(flat), inscribed)
 
 
 def flat_faces(vertices, triangles):
