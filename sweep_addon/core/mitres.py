@@ -61,12 +61,8 @@ def leaned(stations, rings, reach):
     done = (stations.s - stations.s[first[leg]]) % stations.total
 
     arrive, leave, size = stations.arrive, stations.leave, extents(rings, reach)
-    mitres = steepness(stations) * size
-    adds = mitres[first], mitres[last]
-    crowded = ROOM * sum(adds) > lengths
     ends = (first, leave[first], arrive[first], done), (last, arrive[last], leave[last], done - lengths[leg])
-    for (corner, way, other, along), most in zip(ends, adds, strict=True):
-        fan = np.where(crowded, lengths, ROOM * most)
+    for (corner, way, other, along), (most, fan) in zip(ends, fans(stations, rings, reach), strict=True):
         near = np.flatnonzero(inside & (np.abs(along) < fan[leg]))
         near = straight(stations, near, leg, corner, way, along, fan)
         at = leg[near]
@@ -75,6 +71,18 @@ def leaned(stations, rings, reach):
         lean = slope[:, None] * unit(other - dot(other, way)[:, None] * way)[at]
         rings[:, near] -= np.einsum("aij,ij->ai", rings[:, near], lean)[..., None] * way[at]
     return rings
+
+
+def fans(stations, rings, reach):
+    """How far the mitres at the starts of legs lie back, and how far their fans reach; the same at the ends: (k,) each.
+
+    All that is asked of are the rings at corners and ends; see `leaned`.
+    """
+    first, last, lengths = legs(stations)
+    mitres = steepness(stations) * extents(rings, reach)
+    adds = mitres[first], mitres[last]
+    crowded = ROOM * sum(adds) > lengths
+    return [(most, np.where(crowded, lengths, ROOM * most)) for most in adds]
 
 
 def steepness(stations):

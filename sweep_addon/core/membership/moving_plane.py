@@ -75,7 +75,8 @@ class MovingPlane:
         """All channels at rising parameters: (n, 26)."""
         at = self.way.carried(np.append(self.way.breaks[0], parameters))
         middle, normal, x, y, scales = (part[1:] for part in at)
-        space = middle[:, None] + np.einsum("kc,nc,ncj->nkj", self.corners, scales, np.stack((x, y), axis=1))
+        axes = np.linalg.inv(np.stack((x, y, normal), axis=1))[..., :2]
+        space = middle[:, None] + np.einsum("kc,nc,njc->nkj", self.corners, scales, axes)
         held = [part for axis in (normal, x, y) for part in (axis, dot(axis, middle)[:, None])]
         return np.concatenate((*held, scales, space.reshape(len(parameters), -1)), axis=1)
 
@@ -220,8 +221,9 @@ class MovingPlane:
         moving = dot(outward, (along - images * rate[:, SCALES]) / scales)
         moving += self.region.growth(images, parameter) * (self.panels.end - self.panels.start)[panel] / 2
         turning = dot(places, rate[:, :3]) - rate[:, 3]
-        slope = norms(outward / scales) ** 2 + (moving / np.where(turning == 0, 1 / FAR, turning)) ** 2
-        return depth / np.sqrt(slope)
+        x, y = ((outward / scales)[:, [i]] * at[:, axis][:, :3] for i, axis in enumerate((X, Y)))
+        ahead = (moving / np.where(turning == 0, 1 / FAR, turning))[:, None] * at[:, NORMAL][:, :3]
+        return depth / np.maximum(norms(x + y - ahead), 1 / FAR)
 
     def cut_off(self, places, panel, parameter):
         """How far places are beyond the planes that cut off their legs or the sweep, negative within: (n,)."""

@@ -28,9 +28,9 @@ class Prism:
 
     def distance(self, points):
         """How far points (n, 3) are from the surface, negative inside: (n,)."""
-        across = self.region.exact(points[:, :2] - self.aside)[0]
+        across = self.region.distance(points[:, 0] - self.aside[0], points[:, 1] - self.aside[1])
         along = np.maximum(self.ends[0] - points[:, 2], points[:, 2] - self.ends[1])
-        outside = np.hypot(np.maximum(across, 0.0), np.maximum(along, 0.0))
+        outside = np.sqrt(np.maximum(across, 0.0) ** 2 + np.maximum(along, 0.0) ** 2)
         return outside + np.minimum(np.maximum(across, along), 0.0)
 
 

@@ -34,6 +34,10 @@ class Disc:
         """How far points (n, 2) are from the circle, negative inside: (n,)."""
         return np.sqrt(points[:, 0] ** 2 + points[:, 1] ** 2) - self.radius
 
+    def distance(self, x, y):
+        """The same of places x (n,) and y (n,): (n,)."""
+        return np.sqrt(x * x + y * y) - self.radius
+
     def exact(self, points):
         """The same, and unit vectors away from the boundary: (n,), (n, 2)."""
         return self.depth(points), unit(points)

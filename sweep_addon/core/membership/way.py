@@ -12,8 +12,8 @@ class Carried(NamedTuple):
 
     middle: np.ndarray  # where the contour's origin is: (n, 3)
     normal: np.ndarray  # unit vectors across the plane, onward: (n, 3)
-    x: np.ndarray  # unit vectors along the contour's axes: (n, 3)
-    y: np.ndarray
+    x: np.ndarray  # what tells of a way within the plane how far it leads along the contour's axes, scales aside:
+    y: np.ndarray  # unit vectors along them, where the contour stands across its way: (n, 3)
     scales: np.ndarray  # of the contour along them: (n, 2)
 
 

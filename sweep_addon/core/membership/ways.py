@@ -21,6 +21,7 @@ from ..trajectories.arc_length import arc_length
 from ..translational_sweep import Reference
 from ..vectors import norms, unit
 from .drawn import Drawn
+from .leaning import Leaning, leans
 from .regions import Level, Still, region
 from .way import Carried, Corner, Dome, Limit, Way
 
@@ -36,25 +37,31 @@ def of_cylinder(shape):
     (section, change), closed = shape.moving(), bool(shape.trajectory.closed)
     ends = (Flat(), Flat()) if closed else (shape.start, shape.end)
     require_closed(ends)
-    along, symmetry, _, _ = shape.laid_out(section, change, ends)
+    along, symmetry, reach, _ = shape.laid_out(section, change, ends)
     trajectory, measure = along.trajectory, arc_length(along.trajectory)
-    spin = {"symmetry": symmetry}
+
+    def standing(s):
+        placed = stations(trajectory, s)
+        scale_x, scale_y, twist, *offset = along.at(placed.s, placed.u)
+        e2, e3, _ = axes(along.rails or shape.frame, placed, twist, symmetry=symmetry)
+        return placed, np.stack((scale_x, scale_y), axis=1), offset, e2, e3
 
     def carried(s):
-        placed = stations(trajectory, s)
-        scale_x, scale_y, twist, x, y = along.at(placed.s, placed.u)
-        e2, e3, _ = axes(along.rails or shape.frame, placed, twist, **spin)
-        middle = placed.points + e2 * x[:, None] + e3 * y[:, None]
-        return Carried(middle, placed.tangent, e2, e3, np.stack((scale_x, scale_y), axis=1))
+        placed, scales, (x, y), e2, e3 = standing(s)
+        return Carried(placed.points + e2 * x[:, None] + e3 * y[:, None], placed.tangent, e2, e3, scales)
 
     breaks = np.concatenate((measure.at(trajectory.joints()), along.marks()))
+    corners = corners_of(trajectory)
+    if leans(along):
+        known = np.array([corner.parameter for corner in corners])
+        leaning = Leaning(standing, known if closed else np.concatenate(((0.0,), known, (measure.total,))), reach)
+        carried, corners, breaks = leaning.carried, (), np.append(breaks, leaning.breaks())
     inside = Still(region(shape.contour))
     if change:
         section = change.sections[0]
         looked = np.linspace(0.0, measure.total, LOOKED)
         inside = Drawn(lambda s: change.at(s / measure.total), section.offsets, looked)
         breaks = np.append(breaks, change.places * measure.total)
-    corners = corners_of(trajectory)
     way = Way(carried, apart(breaks, measure.total), closed, inside, PARTS, corners, parameter=measure.parameter)
     return way._replace(domes=tuple(domes(shape, ends, way)))
 
