@@ -16,6 +16,7 @@ from ..core import description, forms
 from ..core.parameters import ShapeError, parameters, require, spelled
 from ..core.self_intersection.places import Places
 from ..core.shapes import SHAPES
+from . import grammar
 from . import job as jobs
 from .export import MODELS, PICTURES, check_output, save_model, silent
 from .plan import numbered, numbers, plan
@@ -108,6 +109,9 @@ def describe(told):
         say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in jobs.DESCRIBED.items()))
         return 0
     kinds = described()
+    if told.shape not in kinds and Path(told.shape).is_file():
+        say("\n".join(grammar.describe(told.shape)))
+        return 0
     require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")
     tables = (description.markdown(kind) if told.markdown else table(told.shape, kind) for kind in kinds[told.shape])
     say("\n\n".join(tables))

@@ -16,6 +16,10 @@ from .word import Word
 
 DECOMPOSED = 1  # moments of the levels of a decomposition begin here; that of a production is 0
 LEVELS = 512  # moments in each step
+WAYS = {
+    "doubling": "words are copied together from the words of their successors",
+    "in order": "all modules of a word at once, step by step",
+}
 
 
 def derived(system, generations, seed, budget, progress):
@@ -52,9 +56,17 @@ def strategy(tables):
 
 def in_order(tables, generations, seed, meter):
     """The word, step by step."""
+    for state in states(tables, generations, seed, meter):  # noqa: B007 the last one counts
+        pass
+    return state
+
+
+def states(tables, generations, seed, meter):
+    """The words of all generations, from that of the axiom on."""
     state = first(tables, root(seed))
     meter.room(len(state), 0)
     state = decomposed(state, tables, 0, meter)
+    yield state
     for generation in range(1, generations + 1):
         rules = tables.of_step(generation)
 
@@ -64,7 +76,17 @@ def in_order(tables, generations, seed, meter):
         state, _ = step(state, tables, rules, generation * LEVELS, generation, room)
         state = decomposed(state, tables, generation, meter)
         meter.tick(generation)
-    return state
+        yield state
+
+
+def sizes(system, generations, seed, budget, progress):
+    """The numbers of modules of all generations; `LSystem.sizes` says of what."""
+    tables, generations = system.compiled, whole(generations, MOST_GENERATIONS, "generations")
+    meter = Meter(budget or Budget(), generations, tables.columns, progress)
+    found = foretold(tables, generations)
+    if found and len(found) > generations:
+        return found
+    return [len(state) for state in states(tables, generations, whole(seed, LARGEST_SEED, "seed"), meter)]
 
 
 def decomposed(state, tables, generation, meter):

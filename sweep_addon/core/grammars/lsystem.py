@@ -153,6 +153,28 @@ class LSystem:
         generations = self.generations if generations is None else generations
         return derived(self, generations, self.seed if seed is None else seed, budget, progress)
 
+    def sizes(self, generations=None, seed=None, budget=None, progress=None):
+        """How many modules the words of all generations have; where that can be foretold, without deriving any.
+
+        Parameters
+        ----------
+        generations, seed, budget, progress
+            As of `derive`.
+
+        Returns
+        -------
+        list of int
+
+        Examples
+        --------
+        >>> LSystem.parse("axiom: F\\nF -> FF").sizes(200)[-1] == 2**200
+        True
+        """
+        from .derivation import sizes
+
+        generations = self.generations if generations is None else generations
+        return sizes(self, generations, self.seed if seed is None else seed, budget, progress)
+
     def with_constants(self, **values):
         """The same system with other values of constants.
 

@@ -53,7 +53,8 @@ class Passage:
     def refuse(self, expected, at=0, found=None):
         """Refuse what is found at a place of it."""
         if found is None:
-            found = shown(self.line[self.place(at) : self.place(at) + 1]) if at < len(self.text) else ENDED
+            letter = self.line[self.place(at) : self.place(at) + 1]
+            found = shown(letter) if letter.strip() else ENDED
         raise PassageError(Problem(self.number, self.place(at) + 1, found, expected, self.line))
 
 

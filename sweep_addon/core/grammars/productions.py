@@ -165,11 +165,12 @@ def around(head):
     if rest is None:
         left, rest = None, head
     strict, right = split(rest, ">")
-    for part in (left, right):
-        if part is not None:
-            twice = [at for at in (outside(part, "<"), outside(part, ">")) if at is not None]
-            if twice or not part.text:
-                part.refuse("a module of the context", *twice[:1])
+    for part in filter(None, (left, strict, right)):
+        for sign in "<>":
+            if outside(part, sign) is not None:
+                part.refuse("one '<' and behind it one '>'", outside(part, sign))
+        if not part.text and part is not strict:
+            part.refuse("a module of the context")
     return left, strict, right
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..expressions import DRAW, MisreadError, read
 from ..functions import CONSTANTS, FUNCTIONS, Vocabulary
-from .passages import ENDED, Passage
+from .passages import Passage
 
 
 def normal(mean, deviation, first, second):
@@ -59,7 +59,7 @@ def formula(passage: Passage, names, vocabulary, drawn=0):
     try:
         return read(passage.text, names, vocabulary, drawn)
     except MisreadError as misread:
-        passage.refuse(misread.expected, misread.place, misread.found or ENDED)
+        passage.refuse(misread.expected, misread.place, misread.found or "the end of the formula")
 
 
 def value(passage, vocabulary):

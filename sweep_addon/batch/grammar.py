@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs of grammars: what a file of one derives, and what it is."""
+
+import sys
+from pathlib import Path
+
+from ..core.parameters import ShapeError
+from .job import decoded
+
+LONGEST = 4_000_000  # bytes of a file
+
+
+def read(path):
+    """The system in a file.
+
+    Raises
+    ------
+    ShapeError
+        With file, line and column for each thing that is wrong.
+    """
+    from ..core.grammars import GrammarError, LSystem
+
+    path = Path(path)
+    try:
+        data = path.read_bytes() if path.stat().st_size <= LONGEST else None
+    except OSError as error:
+        raise ShapeError(f"{path}: cannot be read: {error.strerror}") from None
+    text = decoded(data)
+    if text is None:
+        wrong = f"must have at most {LONGEST:,} bytes" if data is None else "must be text in UTF-8"
+        raise ShapeError(f"{path}: {wrong}")
+    try:
+        return LSystem.parse(text)
+    except GrammarError as refusal:
+        raise ShapeError("\n".join(placed(path, problem) for problem in refusal.problems)) from None
+    except ShapeError as refusal:
+        raise ShapeError(f"{path}: {refusal}") from None
+
+
+def placed(path, problem):
+    """A problem as editors find its place."""
+    said = f"expected {problem.expected}, found {problem.found}"
+    return f"{path}:{problem.line}:{problem.column}: {said}\n{problem.shown}"
+
+
+def derive(told):
+    """Print the word that a grammar derives, in the notation of The Algorithmic Beauty of Plants, or how many modules
+    each generation has."""
+    system = read(told.grammar)
+    if told.count:
+        sizes = system.sizes(told.generations, told.seed)
+        sys.stdout.writelines(f"{generation} {size}\n" for generation, size in enumerate(sizes))
+    else:
+        sys.stdout.write(f"{system.derive(told.generations, told.seed)}\n")
+    sys.stdout.flush()
+    return 0
+
+
+def describe(path):
+    """Lines about the grammar in a file."""
+    from ..core.grammars.describing import described
+
+    return described(read(path))

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What kind of grammar a system is, how its words are derived, and how large they become."""
+
+from .budget import sized
+from .derivation import WAYS, strategy
+from .growth import foretold
+
+
+def kind(system):
+    """The class of a system in the words of the book.
+
+    Parameters
+    ----------
+    system : LSystem
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> from sweep_addon.core.grammars import LSystem
+    >>> kind(LSystem.parse("axiom: F\\nF -> F[+F]F"))
+    'bracketed D0L-system'
+    >>> kind(LSystem.parse("axiom: A(1)A(2)\\nA(x) < A(y) : y > x -> A(y/2)"))
+    'parametric 1L-system with conditions'
+    """
+    rules = [*system.productions, *(rule for _, group in system.groups for rule in group)]
+    sides = max((bool(rule.left) + bool(rule.right) for rule in rules), default=0)
+    several = any(len(rule.left) > 1 or len(rule.right) > 1 for rule in rules)
+    context = "(k,l)" if several else f"{sides}L" if sides else "0L"
+    chance = any(rule.probability for rule in rules)
+    words = [system.axiom, *(rule.successor for rule in rules)]
+    modules = [module for word in words for module in word]
+    said = ["parametric"] if any(module.parameters for module in modules) else []
+    said += ["stochastic"] if chance else []
+    said += ["bracketed"] if any(module.name == "[" for module in modules) else []
+    said += ["table"] if system.groups else []
+    plain = not chance and not sides and not any(rule.condition for rule in rules)
+    said += [f"{'D' if plain else ''}{context}-system"]
+    extra = ["conditions"] if any(rule.condition for rule in rules) else []
+    extra += [section for section in ("decomposition", "homomorphism") if getattr(system, section)]
+    return " ".join(said) + (f" with {' and '.join(extra)}" if extra else "")
+
+
+def described(system, generations=None):
+    """Lines about a system: its class, how it is derived, and its size.
+
+    Parameters
+    ----------
+    system : LSystem
+    generations : int, optional
+        Else as many as its text says.
+
+    Returns
+    -------
+    list of str
+    """
+    generations = system.generations if generations is None else generations
+    tables = system.compiled
+    sizes = foretold(tables, generations)
+    if sizes and len(sizes) > generations:
+        size = f"{sized(sizes[-1])} modules after {generations} generations"
+    elif sizes:
+        size = f"more than {sized(sizes[-1])} modules after {generations} generations"
+    else:
+        size = f"hangs on parameters, neighbours or chance; {generations} generations"
+    every = system.productions, *(group for _, group in system.groups), system.decomposition, system.homomorphism
+    return [
+        f"class: {kind(system)}",
+        f"productions: {sum(map(len, every))}",
+        f"derived: {WAYS[strategy(tables)]}",
+        f"size: {size}",
+        *(f"constant: {constant.name} = {constant.value:.9g}" for constant in system.constants),
+    ]

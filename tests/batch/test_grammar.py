@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grammars on the command line: words, sizes and classes on standard output, and every wrong line on standard error."""
+
+import pytest
+
+from sweep_addon.batch.command import main
+
+TREE = "#define r 0.5\n#generations 2\naxiom: F(1)\nF(l) -> F(l)[+F(l*r)]\n"
+
+
+@pytest.fixture
+def tree(tmp_path):
+    path = tmp_path / "tree.l"
+    path.write_text(TREE)
+    return str(path)
+
+
+def told(capsys, *arguments):
+    """The exit code, standard output and standard error of a command."""
+    code = main(list(arguments))
+    said = capsys.readouterr()
+    return code, said.out, said.err
+
+
+def test_derive_prints_the_word(tree, capsys):
+    assert told(capsys, "derive", tree) == (0, "F(1)[+F(0.5)][+F(0.5)[+F(0.25)]]\n", "")
+    assert told(capsys, "derive", tree, "-n", "1") == (0, "F(1)[+F(0.5)]\n", "")
+
+
+def test_derive_counts_modules_of_each_generation(tree, capsys):
+    assert told(capsys, "derive", tree, "--count", "-n", "3") == (0, "0 1\n1 5\n2 13\n3 29\n", "")
+
+
+def test_a_seed_decides_between_productions(tmp_path, capsys):
+    path = tmp_path / "chance.l"
+    path.write_text("axiom: AAAAAAAAAAAAAAAAAAAA\nA -(0.5)-> B\nA -(0.5)-> C\n")
+    words = [told(capsys, "derive", str(path), "-n", "1", "--seed", str(seed))[1] for seed in (1, 1, 2)]
+    assert words[0] == words[1] != words[2]
+    assert set(words[0].strip()) == {"B", "C"}
+
+
+def test_describe_says_class_and_size(tree, capsys):
+    code, out, err = told(capsys, "describe", tree)
+    assert (code, err) == (0, "")
+    assert out.splitlines()[0] == "class: parametric bracketed D0L-system"
+    assert "size: 13 modules after 2 generations" in out and "constant: r = 0.5" in out
+
+
+def test_every_wrong_line_is_told_with_its_place(tmp_path, capsys):
+    path = tmp_path / "wrong.l"
+    path.write_text("axiom: F(1\nF(x) -> F(x*)\n")
+    code, out, err = told(capsys, "derive", str(path))
+    assert (code, out) == (2, "")
+    assert err.splitlines()[0] == f"{path}:1:11: expected ')' or ',' after a parameter, found the end of the line"
+    assert err.splitlines()[2] == " " * 14 + "^"
+    assert err.splitlines()[3] == f"{path}:2:13: expected a value, found the end of the formula"
+
+
+@pytest.mark.parametrize("data", [b"\xff\xfe\x00", b"axiom: A\x00B", None, b"axiom: " + b"A" * 5_000_000])
+def test_what_is_no_grammar_is_refused_in_a_line(tmp_path, capsys, data):
+    path = tmp_path / "none.l"
+    if data is not None:
+        path.write_bytes(data)
+    code, out, err = told(capsys, "derive", str(path))
+    assert (code, out) == (2, "") and err.startswith(f"{path}:")
+
+
+def test_a_runaway_grammar_is_refused_with_its_size(tmp_path, capsys):
+    path = tmp_path / "runaway.l"
+    path.write_text("axiom: F\nF -> FFFFFFFFFF\n")
+    code, out, err = told(capsys, "derive", str(path), "-n", "12")
+    assert (code, out) == (2, "")
+    assert err == "generations: must make at most 20,000,000 modules, but 12 make 1,000,000,000,000\n"
