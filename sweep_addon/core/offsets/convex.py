@@ -38,8 +38,15 @@ def convex_offset(vertices, triangles, radius, step):
     """
     corners = vertices[triangles]
     normals = unit(cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    flat = (corners + radius * normals[:, None]).reshape(-1, 3)
-    points = (flat, arcs(vertices, triangles, normals, radius, step), domes(vertices, triangles, normals, radius, step))
+    means, least = around_vertices(vertices, triangles, normals)
+    smooth = least >= np.cos(step / 2)  # one place stands for all those of its faces: hulls take time by their points
+    flat = (corners + radius * normals[:, None])[~smooth[triangles]]
+    points = (
+        vertices[smooth] + radius * means[smooth],
+        flat,
+        arcs(vertices, triangles, normals, radius, step, smooth),
+        domes(vertices, radius, step, (least < np.cos(step)).any()),
+    )
     return arrays(hull_body(np.concatenate(points)))[:2]
 
 
@@ -86,8 +93,17 @@ def shared_edges(triangles):
     return np.stack((start[left], end[left], face[left], face[right]), axis=1)
 
 
-def arcs(vertices, triangles, normals, radius, step):
-    """Places around both ends of each edge, between the normals of its faces: the same directions at both ends."""
+def around_vertices(vertices, triangles, normals):
+    """The mean normal of each vertex, and the least cosine of a normal around it to that: (n, 3), (n,)."""
+    corner, face = triangles.ravel(), np.repeat(np.arange(len(triangles)), 3)
+    means = unit(np.stack([np.bincount(corner, part[face], len(vertices)) for part in normals.T], axis=1))
+    least = np.ones(len(vertices))
+    np.minimum.at(least, corner, dot(normals[face], means[corner]))
+    return means, np.where(means.any(axis=1), least, -1.0)
+
+
+def arcs(vertices, triangles, normals, radius, step, smooth):
+    """Places around the ends of each edge that are not smooth, between the normals of its faces, alike at both ends."""
     start, end, left, right = shared_edges(triangles).T
     a, b = normals[left], normals[right]
     angle = np.arctan2(norms(cross(a, b)), dot(a, b))
@@ -97,16 +113,13 @@ def arcs(vertices, triangles, normals, radius, step):
     whole = angle[edge]
     weights = np.sin((1 - part) * whole) / np.sin(whole), np.sin(part * whole) / np.sin(whole)
     directions = radius * (weights[0][:, None] * a[edge] + weights[1][:, None] * b[edge])
-    return np.concatenate((vertices[start[edge]] + directions, vertices[end[edge]] + directions))
+    ends = [(vertices[each[edge]] + directions)[~smooth[each[edge]]] for each in (start, end)]
+    return np.concatenate(ends)
 
 
-def domes(vertices, triangles, normals, radius, step):
-    """Places around vertices, in directions spread over the sphere, each from the vertex that is farthest there."""
-    corner, face = triangles.ravel(), np.repeat(np.arange(len(triangles)), 3)
-    means = unit(np.stack([np.bincount(corner, part[face], len(vertices)) for part in normals.T], axis=1))
-    pointed = np.zeros(len(vertices), dtype=bool)
-    pointed[corner[dot(normals[face], means[corner]) < np.cos(step)]] = True
-    if not pointed.any():
+def domes(vertices, radius, step, pointed):
+    """Places around vertices, if any is pointed: in directions spread over the sphere, each from the farthest one."""
+    if not pointed:
         return np.zeros((0, 3))
     directions = spread(step)
     chunks = np.array_split(directions, len(directions) * len(vertices) // AT_ONCE + 1)
