@@ -14,8 +14,10 @@ def draw(ob):
     """Let an object's cuts be drawn as edges, after all its other modifiers."""
     if any(is_drawer(modifier) for modifier in ob.modifiers):
         return
+    active = ob.modifiers.active  # which says what step is picked
     modifier = ob.modifiers.new(NAME, "NODES")
     modifier.node_group, modifier.use_pin_to_last, modifier.show_expanded = nodes(), True, False
+    ob.modifiers.active = active
 
 
 def undraw(ob):

@@ -282,6 +282,32 @@ def test_a_deleted_operand_leaves_a_step_that_does_nothing(scene):
     assert not body.modifiers
 
 
+def test_an_operand_deleted_as_people_do_leaves_such_a_step(scene):
+    body = drilled()
+    select(bpy.data.objects["tool"])
+    bpy.ops.object.delete()
+    assert volume(body) == pytest.approx(8, rel=1e-6) and trees.operands(body) == []
+
+
+def test_blenders_own_duplicate_of_result_and_operands_copies_the_tree(scene):
+    body, bar = drilled(), bpy.data.objects["tool"]
+    select(body, bar)
+    bpy.ops.object.duplicate()
+    (twin,) = set(filter(trees.is_tree, bpy.data.objects)) - {body}
+    (copy,) = trees.operands(twin)
+    assert copy not in (body, bar) and copy.parent == twin
+    copy.data.sweep.translational_sweep.contour_rectangle_width = 0.4
+    assert (volume(twin), volume(body)) == (pytest.approx(8 - 0.16, rel=1e-6), pytest.approx(8 - 0.08, rel=1e-6))
+
+
+def test_a_generator_whose_tree_holds_the_sweep_itself_is_refused(scene):
+    mover = add_general(cube(1.0, name="first"))
+    body = cube(2.0, name="body")
+    body.modifiers.new("by hand", "BOOLEAN").object = mover
+    mover.data.sweep.general_sweep.generator_object = body
+    assert "must not be made from this sweep" in mover.data.sweep.error
+
+
 def test_a_tree_survives_save_and_append(scene, tmp_path):
     body = drilled()
     before, tree = volume(body), sw.from_object(body)

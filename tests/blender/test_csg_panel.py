@@ -58,6 +58,7 @@ def test_a_tree_says_what_it_is_and_shows_a_row_for_each_step(scene):
 
 def test_the_operand_that_is_picked_shows_its_parameters(scene):
     body = result(2)
+    assert trees.picked(body) == (body, trees.booleans(body)[1]), "the newest step"
     trees.pick(body, body, trees.booleans(body)[0])
     assert "contour_rectangle_width" in drawn(body) and "tool 0: Translational Sweep" in drawn(body)
     body.modifiers.active = None
