@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes whose truth is known, made by this project and by its peers: figures that anybody can check."""
 
+import canals
 import chords
 import closing
 import numpy as np
@@ -126,6 +127,7 @@ def main():
         ),
         ["volume of a pipe, radii 0.1 and 0.06, length 10, 64 points", short(pipe), *annulus(swept)],
         *closing.rows(swept),
+        *canals.rows(),
         ["UV stretch, tube along x = 0, 0.1, 0.2, 0.3, 5, 10: largest to smallest", 1, *textures()],
     ]
     tell(INTRODUCTION + "\n" + table(("", *COLUMNS), rows))
