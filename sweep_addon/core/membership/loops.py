@@ -26,6 +26,7 @@ MOST = 512  # cells along a side
 ROOM = 1.001  # of a cell's diagonal, for rounding
 CHUNK = 1 << 18  # pairs of points and edges at a time
 LEAST = 1e-300  # keeps quotients of an edge without length finite
+CUSP = 2e-3  # radians that drawings of three decimals may miss a tangent by
 FEW = 32  # straight edges: so many are quicker one after the other than in pairs
 
 
@@ -93,10 +94,33 @@ class Loops:
 
     @cached_property
     def corners(self):
-        """The direction away from the region where each edge starts, the sum of both normals there: (m, 2)."""
+        """The direction away from the region where each edge starts: (m, 2).
+
+        It is the sum of both normals. In a cusp they cancel: there it leads ahead, over the tip, or back.
+        """
         first, last = self.tangents
-        both = first + last[self.before]
-        return np.stack((both[:, 1], -both[:, 0]), axis=1)
+        both, tip = first + last[self.before], last[self.before]
+        normals = np.stack((both[:, 1], -both[:, 0]), axis=1)
+        return np.where(self.cusps[:, None] != 0, self.cusps[:, None] * tip, normals)
+
+    @cached_property
+    def after(self):
+        """The edge that begins where each ends: (m,) int."""
+        after = np.empty_like(self.before)
+        after[self.before] = np.arange(len(after))
+        return after
+
+    @cached_property
+    def cusps(self):
+        """Where an arc turns back along its tangent, and each edge starts: (m,) of -1, 0, 1.
+
+        1 where the region ends in the tip, as the edges bend apart to the right: who is nearest to the tip is outside.
+        -1 where a gap ends in it: who is nearest is inside. 0 where there is no cusp.
+        """
+        first, last = self.tangents
+        bends = np.where(self.arcs, np.sign(self.bulges) / np.where(self.radii > 0, self.radii, 1.0), 0.0)
+        turned = norms(first + last[self.before]) < CUSP
+        return np.where(turned, -np.sign(bends + bends[self.before]), 0.0)
 
     @cached_property
     def box(self):
@@ -159,6 +183,9 @@ class Loops:
         across, beside = self.distances(edge, points[point])
         to_start = points[point] - self.start[edge]
         far = np.where(beside, np.abs(across), np.inf)
+        if self.cusps.any():  # whose two edges are on different sides of a point that is beside the end of both
+            tips = self.cusps[self.after[edge]] != 0
+            far[tips & (norms(points[point] - self.end[edge]) <= far)] = np.inf
         corner = np.sqrt(to_start[:, 0] ** 2 + to_start[:, 1] ** 2)
         first = np.flatnonzero(np.append(True, point[1:] != point[:-1]))
         held = np.minimum(far, corner)
@@ -169,7 +196,8 @@ class Loops:
         at_corner = corner[chosen] <= far[chosen]
         which = edge[chosen]
         away = np.where(at_corner[:, None], self.corners[which], self.right(which, points[point[chosen]]))
-        side = np.where(at_corner, dot(to_start[chosen], away), across[chosen])
+        side = np.where(self.cusps[which] != 0, self.cusps[which], dot(to_start[chosen], away))
+        side = np.where(at_corner, side, across[chosen])
         return np.where(side > 0, least, -least), unit(away)
 
     def right(self, edge, points):
