@@ -5,6 +5,7 @@
 import bmesh
 import bpy
 import numpy as np
+import pytest
 
 from sweep_addon.bridge import models, objects
 from sweep_addon.core.contours import Circle
@@ -115,3 +116,14 @@ def select(active, *others):
     for ob in bpy.context.view_layer.objects:
         ob.select_set(ob in (active, *others))
     bpy.context.view_layer.objects.active = active
+
+
+LONG = {
+    "general_sweep_l_bracket",
+    "general_sweep_by_a_csg_solid",
+}  # their meshes take seconds; others of their kind stay
+
+
+def tried(names):
+    """Names as parameters of a test; those of long presets are thorough."""
+    return [pytest.param(name, marks=pytest.mark.thorough) if name in LONG else name for name in names]
