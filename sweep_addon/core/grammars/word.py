@@ -78,6 +78,32 @@ class Word:
 
         return interpreted(self, budget, progress)
 
+    def figure(self, upright=None, budget=None):
+        """What a turtle draws when it walks the interpreted word.
+
+        Parameters
+        ----------
+        upright : bool, optional
+            Whether it starts upwards, along z, or along x with its left along y. Where nothing is said, a system with
+            branches that turns out of the plane grows upwards.
+        budget : Budget, optional
+            Of the interpretation.
+
+        Returns
+        -------
+        Figure
+
+        Examples
+        --------
+        >>> from sweep_addon.core.grammars import LSystem
+        >>> koch = LSystem.parse("#angle 60\\naxiom: F\\nF -> F+F--F+F").derive(3).figure()
+        >>> len(koch.start), [round(abs(x), 9) for x in koch.at.tolist()]
+        (64, [27.0, 0.0, 0.0])
+        """
+        from .turtle import Walk
+
+        return Walk(self.interpreted(budget), upright).figure()
+
     def __str__(self):
         """The modules in the notation of the book: parameters of six digits, no blanks."""
         names = self.tables.symbols

@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the turtle draws by arrays is what one draws that walks from module to module, and what the book shows."""
+
+import numpy as np
+import pytest
+from sequential_turtle import walk
+from test_grammar_conformance import ENTRIES, by_id, text
+
+from sweep_addon.core.grammars import LSystem
+
+DRAWN = [entry for entry in ENTRIES if "geometry" in entry]
+ALONG_X = {"H": np.array([1.0, 0, 0]), "L": np.array([0, 1.0, 0]), "U": np.array([0, 0, 1.0])}
+UPWARDS = {"H": np.array([0, 0, 1.0]), "L": np.array([0, 1.0, 0]), "U": np.array([-1.0, 0, 0])}
+FLAT, SPATIAL, LEVELLING = "FFFffG+-|!'[]", "FFFfG+-&^\\/|!'[]", "FFFfG+-&^\\/|$!'[]"
+
+
+@by_id(DRAWN)
+def test_figures_of_the_book(entry):
+    figure, told = LSystem.parse(text(entry)).derive().figure(), entry["geometry"]
+    assert len(figure.start) == told["segments"]
+    if "bbox" in told:
+        bounds, wanted, size = figure.bounds, told["bbox"], 3
+    else:
+        bounds, wanted, size = figure.bounds[:, :2], np.reshape(told["bbox_of_F_endpoints"], (2, 2)), 2
+    assert bounds == pytest.approx(np.array(wanted), abs=1e-3)
+    assert figure.at[:size] == pytest.approx(told["end"], abs=1e-3)
+    corners = np.unique(np.concatenate((figure.start, figure.end)).round(6), axis=0)
+    if told.get("self_avoiding"):
+        assert len(corners) == told.get("distinct_points") or told["lattice_points"] == told["segments"] + 1
+
+
+def random_word(draw, letters, count):
+    """A word of so many modules with brackets in pairs, as (name, parameters)."""
+    modules, depth = [], 0
+    for letter in draw.choice(list(letters), count):
+        if letter == "]" and not depth:
+            continue
+        depth += (letter == "[") - (letter == "]")
+        parameters = ()
+        if letter in "+-&^\\/" and draw.random() < 0.5:
+            parameters = (round(draw.uniform(-180, 180), 2),)
+        elif letter in "Ff" and draw.random() < 0.5:
+            parameters = (round(draw.uniform(0.1, 2), 2),)
+        elif letter in "!'" and draw.random() < 0.5:
+            parameters = (round(draw.uniform(0.1, 2), 2),)
+        modules.append((str(letter), parameters))
+    return modules + [("]", ())] * depth
+
+
+def compared(modules, upright, tropism=None, angle=25.0):
+    """The figure of a word, and the segments of the reference beside it."""
+    told = "".join(name + (f"({parameters[0]!r})" if parameters else "") for name, parameters in modules)
+    lines = [f"#tropism {' '.join(map(repr, tropism))}"] if tropism else []
+    system = LSystem.parse("\n".join([*lines, f"#angle {angle!r}", f"axiom: {told or 'X'}"]))
+    segments, at = walk(modules, UPWARDS if upright else ALONG_X, angle, tropism=tropism)
+    figure = system.derive(0).figure(upright=upright)
+    assert np.array_equal(figure.place, [segment["place"] for segment in segments])
+    return figure, segments, at
+
+
+def errors(figure, segments):
+    """How far ends and axes are from those of the reference, of its size."""
+    if not segments:
+        return np.zeros(0)
+    size = 1 + max(np.abs(segment["end"]).max() for segment in segments)
+    ends = [(segment["start"], segment["end"]) for segment in segments]
+    axes = [list(segment["axes"].values()) for segment in segments]
+    wrong = np.abs(np.stack((figure.start, figure.end), axis=1) - ends).max(axis=(1, 2)) / size
+    return np.maximum(wrong, np.abs(figure.axes - axes).max(axis=(1, 2)))
+
+
+@pytest.mark.parametrize("letters", [FLAT, SPATIAL])
+@pytest.mark.parametrize("upright", [False, True])
+def test_random_words_are_drawn_as_by_the_reference(letters, upright, draws):
+    draw = np.random.default_rng(20261129)
+    for _ in range(2 * draws):
+        modules = random_word(draw, letters, draw.integers(0, 120))
+        figure, segments, at = compared(modules, upright)
+        assert errors(figure, segments).max(initial=0) < 1e-12
+        assert np.abs(figure.at - at).max() < 1e-12 * (1 + np.abs(at).max())
+        assert figure.width == pytest.approx([segment["width"] for segment in segments], rel=1e-12)
+        assert figure.colour == pytest.approx([segment["colour"] for segment in segments], rel=1e-12)
+
+
+@pytest.mark.parametrize("tropism", [None, (0.0, 0.0, -1.0, 0.22), (1.0, -2.0, 0.5, -0.3)])
+def test_levelled_and_bent_words_are_drawn_as_by_the_reference(tropism, draws):
+    """Each $ divides errors by the sine of the heading's angle to the vertical: that is the tolerance."""
+    draw = np.random.default_rng(8)
+    for _ in range(draws):
+        modules = random_word(draw, LEVELLING, draw.integers(0, 120))
+        figure, segments, _ = compared(modules, True, tropism)
+        loss = np.array([segment["loss"] for segment in segments])
+        assert (errors(figure, segments) < 1e-12 / loss).all()
+
+
+def test_long_paths_are_drawn_as_by_the_reference():
+    draw = np.random.default_rng(4)
+    for letters in ("FF+-&^/\\", "F+-&/[]"):
+        modules = random_word(draw, letters, 20_000)
+        figure, segments, _ = compared(modules, False)
+        assert errors(figure, segments).max() < 1e-12
+
+
+def test_a_level_turtle_has_its_left_in_the_horizontal_plane():
+    figure = LSystem.parse("axiom: [&(30)/(50)F$F&(20)/(70)F$F]F").derive(0).figure()
+    assert figure.axes[[1, 3], 1, 2] == pytest.approx(0, abs=1e-15)
+    assert (figure.axes[[1, 3], 2, 2] > 0).all()
+
+
+def test_an_axiom_of_the_hilbert_cube_visits_every_place_once():
+    entry = next(entry for entry in ENTRIES if entry["id"] == "abop-1.19")
+    figure = LSystem.parse(text(entry)).derive(3).figure()
+    points = np.concatenate((figure.start, figure.end)).round(9)
+    assert len(np.unique(points, axis=0)) == 8**3
+
+
+def test_segments_know_what_they_grow_out_of():
+    figure = LSystem.parse("axiom: FF[+F[F]fF]F[-f F]").derive(0).figure()
+    assert figure.parent.tolist() == [-1, 0, 1, 2, 2, 1, 5]
+    assert figure.joined.tolist() == [False, True, False, False, False, True, False]
+    assert figure.axis.tolist() == [0, 0, 1, 4, 2, 0, 3]
+    assert figure.order.tolist() == [0, 0, 1, 2, 1, 0, 1]
+
+
+def test_births_are_the_steps_that_made_segments():
+    told = "axiom: F\nF -> F[+G]F"
+    wanted = [1, 1, 1]
+    assert LSystem.parse(told).derive(1).figure().birth.tolist() == wanted
+    grown = LSystem.parse(told).derive(2).figure().birth.tolist()
+    assert grown == [2, 2, 2, 1, 2, 2, 2]  # G stays as the first step made it
+    ordered = LSystem.parse(told.replace("F\n", "F(1)\n", 1).replace("F ->", "F(x) ->").replace("]F", "]F(x)"))
+    assert ordered.derive(1).figure().birth.tolist() == wanted
+
+
+def test_a_polygon_has_its_vertices():
+    figure = LSystem.parse("#angle 90\naxiom: {f+f+f+f}").derive(0).figure()
+    (square,) = figure.polygons
+    assert square[:, :2] == pytest.approx(np.array([[1, 0], [1, 1], [0, 1], [0, 0]]), abs=1e-12)
+
+
+def test_a_leaf_of_the_book_is_made_of_triangles():
+    """ABOP figure 5.5: each polygon has three dots; the edges of the two youngest on each side have no length yet."""
+    entry = next(entry for entry in ENTRIES if entry["id"] == "abop-5.5-cordate")
+    figure = LSystem.parse(text(entry)).derive(20).figure()
+    assert len(figure.polygons) == 2 * (20 - 2)
+    assert {len(polygon) for polygon in figure.polygons} == {3}
+
+
+def test_organs_stand_where_the_turtle_is():
+    figure = LSystem.parse("axiom: F[+~L(2)]F~K").derive(0).figure()
+    assert [(organ.name, organ.scale.tolist(), organ.at.tolist()) for organ in figure.organs] == [
+        ("L", [2], [[1, 0, 0]]),
+        ("K", [1], [[2, 0, 0]]),
+    ]
