@@ -220,9 +220,8 @@ class Mesh:
         >>> round(GeneralizedCylinder(Rectangle(1.0, 2.0), Line(end=(0, 0, 3))).mesh().volume(), 12)
         6.0
         """
-        centred = self.vertices - self.vertices.mean(axis=0)
         sizes = np.diff(self.offsets)[:, None]
-        middles = np.add.reduceat(centred[self.corners], self.offsets[:-1], axis=0) / sizes
+        middles = np.add.reduceat(self.centred[self.corners], self.offsets[:-1], axis=0) / sizes
         return float(np.einsum("ij,ij->", middles, self.normals)) / 3
 
     def area(self):
@@ -238,11 +237,15 @@ class Mesh:
         """
         return float(np.linalg.norm(self.normals, axis=1).sum())
 
+    @property
+    def centred(self):
+        """(n, 3) float array: the vertices about their mean, where products round least."""
+        return self.vertices - self.vertices.mean(axis=0) if len(self.vertices) else self.vertices
+
     @cached_property
     def normals(self):
         """(f, 3) float array: the normal of each face, as long as its area in square metres; Newell's method."""
-        centred = self.vertices - self.vertices.mean(axis=0)
-        here = centred[self.corners]
+        here = self.centred[self.corners]
         return np.add.reduceat(cross(here, here[self.topology.following]), self.offsets[:-1], axis=0) / 2
 
     def boundary_edges(self):

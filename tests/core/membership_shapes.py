@@ -94,6 +94,7 @@ MEETING = {
     "spindle": tube(sw.contours.Circle(0.3, 128), sw.trajectories.Arc(0.2, 2 * pi)),
     "knot that overlaps": tube(sw.contours.Circle(0.3), sw.trajectories.TorusKnot(2, 3, 0.5, 0.25)),
     "helix that overlaps": tube(DISC, sw.trajectories.Helix(0.4, 0.2, 2.0)),
+    "screw that overlaps": sw.RotationalSweep(ASIDE, 3 * pi, pitch=0.2, samples=FINE),
     "too tight a bend": tube(sw.contours.Circle(0.2), sw.trajectories.Formula("u", "0.6 - 3*u^2", "0", -0.5, 0.5)),
 }
 TRANSLATED = {
@@ -110,13 +111,12 @@ ROTATED = {
     "backwards": sw.RotationalSweep(ASIDE, -4.0, samples=FINE),
     "oblique axis": sw.RotationalSweep(ASIDE, 5.0, samples=FINE, axis_point=(-0.1, 0.2), axis_direction=(0.3, 1)),
     "screw": sw.RotationalSweep(ASIDE, 3 * pi, pitch=0.7, samples=FINE),
-    "screw that overlaps": sw.RotationalSweep(ASIDE, 3 * pi, pitch=0.2, samples=FINE),
     "across the axis": sw.RotationalSweep(
         sw.contours.Outline([[(-0.2, -0.3), (0.5, -0.1), (0.4, 0.3)]]), 2.0, samples=FINE, crossing="split"
     ),
 }
 BENT = {
-    "PD": sw.PDCurveSweep(BAR, CURVED, sw.directions.Cubic([(1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, 1)]), samples=FINE),
+    "PD": sw.PDCurveSweep(BAR, CURVED, sw.directions.Cubic([(1, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, 1)]), samples=MANY),
     "PD between planes": sw.PDCurveSweep(
         BAR,
         CURVED,
