@@ -62,7 +62,7 @@ class BallsBody(Body):
     def distance(self, points):
         """How far points (n, 3) are from the nearest ball that may reach them, negative inside; infinite far out."""
         found = np.full(len(points), np.inf)
-        point, panel = self.hash.pairs(points)
+        point, panel = self.hash.pairs(self.hash.cells(points))
         if not len(point):
             return found
         series, places = self.panels.series[panel], points[point]

@@ -9,6 +9,7 @@ from ..frozen import individual
 CELLS = 3  # of the lattice in the side of a box, as a rule
 MOST_CELLS = 1 << 21
 MOST_PAIRS = 1 << 22
+CHUNK = 1 << 15  # points that fit into a processor's cache
 
 
 @individual
@@ -58,19 +59,24 @@ class Boxes:
 
     def cells(self, points):
         """The cell that each point is in, -1 for none: (n,) int."""
-        place = (points - self.low) / self.step
-        within = ((place >= 0) & (place <= self.shape)).all(axis=1)
-        i, j, k = np.minimum(np.maximum(place, 0.0).astype(np.intp), self.shape - 1).T
-        return np.where(within, (i * int(self.shape[1]) + j) * int(self.shape[2]) + k, -1)
+        cell = np.empty(len(points), dtype=np.intp)
+        for start in range(0, len(points), CHUNK):
+            some = points[start : start + CHUNK]
+            within, at = np.ones(len(some), dtype=bool), np.zeros(len(some), dtype=np.intp)
+            for axis, count in enumerate(self.shape.tolist()):
+                place = (some[:, axis] - self.low[axis]) / self.step[axis]
+                within &= (place >= 0) & (place <= count)
+                place = np.minimum(np.maximum(place, 0.0, out=place), count - 1, out=place)
+                at = at * count + place.astype(np.intp)
+            cell[start : start + CHUNK] = np.where(within, at, -1)
+        return cell
 
-    def counts(self, points):
-        """In how many boxes points may lie: (n,) int."""
-        cell = self.cells(points)
-        return np.where(cell >= 0, np.diff(self.first)[cell], 0)
+    def counts(self, cell):
+        """In how many boxes a point may lie that is in a cell: (n,) int."""
+        return np.where(cell >= 0, self.first[cell + 1] - self.first[cell], 0)
 
-    def pairs(self, points):
-        """Pairs of points and boxes that these may lie in: two (p,) int arrays, points rising."""
-        cell = self.cells(points)
+    def pairs(self, cell):
+        """Pairs of points in cells, and boxes that these may lie in: two (p,) int arrays, points rising."""
         within = np.flatnonzero(cell >= 0)
         begin = self.first[cell[within]]
         counts = self.first[cell[within] + 1] - begin

@@ -123,17 +123,19 @@ class MovingPlane:
 
     def labels(self, points, tolerance):
         """IN, ON, OUT, or TOUCHED where a neighbourhood decides, for points (n, 3): (n,) int8."""
-        labels = np.empty(len(points), dtype=np.int8)
-        for some in portions(self.hash.counts(points), CHUNK):
-            found = self.of_planes(points[some], tolerance)
-            for dome in self.way.domes:
-                found = joined(found, in_dome(dome, self.region, points[some], tolerance))
-            labels[some] = found
+        cell, labels = self.hash.cells(points), np.full(len(points), OUT, dtype=np.int8)
+        counts = self.hash.counts(cell)
+        asked = np.flatnonzero(counts)
+        for some in portions(counts[asked], CHUNK):
+            which = asked[some]
+            labels[which] = self.of_planes(points[which], cell[which], tolerance)
+        for dome in self.way.domes:
+            labels = joined(labels, in_dome(dome, self.region, points, tolerance))
         return labels
 
-    def of_planes(self, points, tolerance):
+    def of_planes(self, points, cell, tolerance):
         """The labels of so few points that all pairs with panels fit into memory, domes left out."""
-        point, panel, x = self.hits(points, *self.hash.pairs(points), tolerance)
+        point, panel, x = self.hits(points, *self.hash.pairs(cell), tolerance)
         inside, contact = self.sides(points[point], panel, x, tolerance)
         sure = np.zeros(len(points), dtype=bool)
         sure[point[inside]] = True
