@@ -4,7 +4,10 @@
 
 from bpy.types import Operator
 
+from ..sweep_addon.core.later import later
 from .on_tree import OnStep
+
+trees = later("bridge.trees")
 
 
 class OBJECT_OT_sweep_step_select(OnStep, Operator):
@@ -18,7 +21,7 @@ class OBJECT_OT_sweep_step_select(OnStep, Operator):
         found = self.found(context)
         if not found:
             return {"CANCELLED"}
-        operand = found[1].object
+        operand = trees.operand_of(found[1])
         if operand is None or operand.name not in context.view_layer.objects:
             self.report({"ERROR"}, "The operand was deleted, or its collection is not in this view layer")
             return {"CANCELLED"}

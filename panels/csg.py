@@ -61,7 +61,7 @@ def result_of(ob):
 
 def step_of(ob):
     """The modifier of such an operand."""
-    return next(modifier for modifier in trees.booleans(ob.parent) if modifier.object == ob)
+    return next(modifier for modifier in trees.booleans(ob.parent) if trees.operand_of(modifier) == ob)
 
 
 def draw_tree(layout, context, ob):
@@ -74,8 +74,8 @@ def draw_tree(layout, context, ob):
     row = layout.row()
     draw_rows(row.column(align=True), ob, picked)
     draw_buttons(row.column(align=True), ob, picked)
-    if picked and picked[1].object:
-        draw_operand(layout, picked[1].object, say)
+    if picked and trees.operand_of(picked[1]):
+        draw_operand(layout, trees.operand_of(picked[1]), say)
     row = layout.row(align=True)
     row.operator("object.sweep_tree_duplicate", text="Duplicate")
     row.operator("object.sweep_tree_collapse")
@@ -121,7 +121,7 @@ def lines(ob, depth, above):
     """Each step of a tree with the object that has it and how deep it is, those of an operand below the operand's."""
     for modifier in trees.booleans(ob):
         yield ob, modifier, depth
-        operand = modifier.object
+        operand = trees.operand_of(modifier)
         if operand and operand not in above:
             yield from lines(operand, depth + 1, (*above, operand))
 
@@ -131,23 +131,23 @@ def draw_warnings(layout, ob, say):
     fast = any(step.solver == solvers.FAST for step in trees.booleans(ob))
     parts = solvers.parts(ob)[:MOST_PARTS]
     why = next(filter(None, (solvers.why_exact(ob, part, solvers.seems_closed) for part in parts)), "")
-    lacking = "" if fast else solvers.lacking()
+    lacking = solvers.lacking()
     if why or lacking:
-        say(layout, f"{why}." if why else lacking, "ERROR" if fast else "INFO")
+        say(layout, f"{why}." if why and not (lacking and fast) else lacking, "ERROR" if fast else "INFO")
     meeting = list(filter(solvers.is_known_to_cross, parts))
     for part in meeting:
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
-    if meeting or bool(why) == fast and not lacking:
+    if meeting or bool(why or lacking) == fast:
         layout.operator("object.sweep_tree_choose_solver")
-    if any(step.object is None for step in trees.booleans(ob)):
+    if any(map(trees.is_lost, trees.booleans(ob))):
         say(layout, "An operand was deleted: its step does nothing.", "ERROR")
     elsewhere = (operand for operand in trees.operands(ob) if ob not in operands.ancestors(operand))
     shared = next(((operand, owner) for operand in elsewhere if (owner := owner_of(operand))), None)
     if shared:
         sentence = "{0.name!r} is an operand of {1.name!r} too: Duplicate copies operands."
         say(layout, sentence.format(*shared), "INFO")
-    if trees.others(ob):
-        say(layout, "Modifiers that are no Booleans are no part of the tree.", "INFO")
+    if trees.others(ob) or any(step.operand_type != "OBJECT" for step in trees.booleans(ob)):
+        say(layout, "Modifiers that are no Booleans of an object are no part of the tree.", "INFO")
 
 
 def owner_of(operand):
@@ -161,14 +161,15 @@ def draw_step(layout, active, owner, modifier, depth, picked):
     if depth:
         row.separator(factor=2.0 * depth)
     row.prop_menu_enum(modifier, "operation", text="", icon=ICONS[modifier.operation])
-    row.alert = modifier.object is None
-    name = modifier.object.name if modifier.object else "Deleted"
+    lost, held = trees.is_lost(modifier), trees.operand_of(modifier) or modifier.collection
+    row.alert = lost
+    name = held.name if held else "Deleted"
     pick = row.operator("object.sweep_step_pick", text=name, depress=picked == (owner, modifier))
     row.alert = False
     icon = "HIDE_OFF" if modifier.show_viewport else "HIDE_ON"
     mute = row.operator("object.sweep_step_mute", text="", icon=icon)
     remove = None
-    if modifier.object is None:
+    if lost:
         remove = row.operator("object.sweep_step_extract", text="", icon="X")
     for button in filter(None, (pick, mute, remove)):
         name_step(button, active, owner, modifier)

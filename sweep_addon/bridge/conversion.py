@@ -44,7 +44,7 @@ def to_tree(ob):
 
 def primitives(ob):
     """How many meshes an object's tree is made of."""
-    return 1 + sum(primitives(modifier.object) for modifier in trees.steps(ob))
+    return 1 + sum(primitives(trees.operand_of(modifier)) for modifier in trees.steps(ob))
 
 
 def called(operand):

@@ -63,7 +63,7 @@ def adopt(result, operand):
     if is_adopted(operand):
         return
     below = top(operand)
-    if below != top(result):
+    if below != top(result) and not below.constraints:  # which would move it a second time
         place = below.matrix_world.copy()
         below.parent = result
         below.matrix_parent_inverse = result.matrix_world.inverted_safe()
@@ -106,7 +106,7 @@ def collection_of(result):
 
 def extract(result, modifier):
     """Take a step out of a tree: its modifier goes, and its operand is free where it stands."""
-    operand = modifier.object
+    operand = trees.operand_of(modifier)
     result.modifiers.remove(modifier)
     if not trees.is_tree(result):
         sharp_edges.undraw(result)
@@ -142,7 +142,7 @@ def users(operand):
 def take_apart(result):
     """Make a tree its operands again, those of operands too; what they are is what is left."""
     for modifier in trees.booleans(result):
-        operand = modifier.object
+        operand = trees.operand_of(modifier)
         extract(result, modifier)
         if operand and not users(operand):
             take_apart(operand)

@@ -33,6 +33,16 @@ def is_tree(ob):
     return bool(booleans(ob))
 
 
+def operand_of(modifier):
+    """The object that a Boolean modifier takes; None for a collection, and where it was deleted."""
+    return modifier.object if modifier.operand_type == "OBJECT" else None
+
+
+def is_lost(modifier):
+    """Whether the operand of a step was deleted, or none is chosen."""
+    return modifier.operand_type == "OBJECT" and modifier.object is None
+
+
 def others(ob):
     """The modifiers of a tree that are no part of it, but for the one that draws its cuts as edges."""
     return [modifier for modifier in ob.modifiers if modifier.type != "BOOLEAN" and not is_drawer(modifier)]
@@ -40,12 +50,12 @@ def others(ob):
 
 def steps(ob):
     """The Boolean modifiers of an object that do something: neither muted nor without an operand."""
-    return [modifier for modifier in booleans(ob) if modifier.show_viewport and modifier.object]
+    return [modifier for modifier in booleans(ob) if modifier.show_viewport and operand_of(modifier)]
 
 
 def operands(ob):
     """The objects that an object's Boolean modifiers name, each once."""
-    return list(dict.fromkeys(modifier.object for modifier in booleans(ob) if modifier.object))
+    return list(dict.fromkeys(filter(None, map(operand_of, booleans(ob)))))
 
 
 def made_from(ob):
@@ -71,7 +81,7 @@ def picked(ob):
         modifier = getattr(ob, "modifiers", None) and ob.modifiers.active
         if not modifier or modifier.type != "BOOLEAN":
             break
-        found, ob = (ob, modifier), modifier.object
+        found, ob = (ob, modifier), operand_of(modifier)
     return found
 
 
@@ -80,8 +90,9 @@ def pick(ob, owner, step):
     for above, modifier in path(ob, owner, ()) or ():
         above.modifiers.active = modifier
     owner.modifiers.active = step
-    if step.object and is_tree(step.object):
-        step.object.modifiers.active = None
+    operand = operand_of(step)
+    if operand and is_tree(operand):
+        operand.modifiers.active = None
 
 
 def path(ob, owner, above):
@@ -89,8 +100,9 @@ def path(ob, owner, above):
     if ob == owner:
         return above
     for modifier in booleans(ob):
-        if modifier.object and modifier.object not in [each for each, _ in above]:
-            found = path(modifier.object, owner, (*above, (ob, modifier)))
+        operand = operand_of(modifier)
+        if operand and operand not in [each for each, _ in above]:
+            found = path(operand, owner, (*above, (ob, modifier)))
             if found is not None:
                 return found
     return None

@@ -8,6 +8,7 @@ from bpy.app.handlers import persistent
 from ..core.later import later
 
 mark = later("bridge.meshes", "mark")
+has_fast = later("bridge.solvers", "has_fast")
 inputs, renders_otherwise = later("bridge.objects", "inputs", "renders_otherwise")
 finding = later("properties.finding")
 differs, rebuild, set_if_other = later("properties.live", "differs", "rebuild", "set_if_other")
@@ -46,6 +47,14 @@ def after_history(*_):
     """Undo, redo or a file bring meshes that may not have been looked at."""
     if any(finding.is_due(mesh) for mesh in sweeps()):
         finding.soon()
+
+
+@persistent
+def after_load(*_):
+    """A file may have trees whose solver this Blender lacks, which then leaves their steps out without a word."""
+    modifiers = (modifier for ob in bpy.data.objects for modifier in ob.modifiers)
+    if any(modifier.type == "BOOLEAN" and modifier.solver == "MANIFOLD" for modifier in modifiers):
+        has_fast()  # the sidebar tells what is known
 
 
 @persistent
@@ -93,6 +102,7 @@ HANDLERS = (
     (bpy.app.handlers.undo_post, after_history),
     (bpy.app.handlers.redo_post, after_history),
     (bpy.app.handlers.load_post, after_history),
+    (bpy.app.handlers.load_post, after_load),
 )
 
 

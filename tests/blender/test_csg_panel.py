@@ -13,7 +13,7 @@ from layouts import Layout, context_of
 from scenes import cube, select, straight
 
 import sweep_addon as sw
-from sweep_addon.bridge import operands, trees
+from sweep_addon.bridge import operands, solvers, trees
 
 PRISM = sw.TranslationalSweep(sw.contours.Rectangle(0.2, 0.2), height=3.0)
 MOST_CALLS = 150  # as of a sweep: under 1 ms in a window
@@ -128,6 +128,29 @@ def test_other_modifiers_are_said_to_be_no_part_of_it(scene):
     assert "no part of the tree" not in " ".join(drawn(body))
     body.modifiers.new("Bevel", "BEVEL")
     assert "no part of the tree" in " ".join(drawn(body))
+
+
+def test_a_step_that_takes_a_collection_is_named_by_it_and_is_no_part_of_the_tree(scene):
+    body, collection = result(), bpy.data.collections.new("several")
+    modifier = trees.booleans(body)[0]
+    modifier.operand_type, modifier.collection = "COLLECTION", collection
+    calls = drawn(body)
+    assert "several" in calls and "Deleted" not in calls and "no part of the tree" in " ".join(calls)
+    with pytest.raises(sw.ShapeError, match="must take an object, got a collection"):
+        sw.from_object(body)
+
+
+def test_a_file_whose_solver_this_blender_lacks_says_so(scene, tmp_path):
+    body = result()
+    for modifier in trees.booleans(body):
+        modifier.solver = "MANIFOLD"
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "tree.blend"))
+    solvers.has_fast.cache_clear()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "tree.blend"))
+    assert solvers.has_fast.cache_info().currsize == 1 and "Solver" not in bpy.data.scenes
+    calls = drawn(bpy.data.objects["body"])
+    assert ("no manifold solver" in " ".join(calls)) != solvers.has_fast()
+    assert ("object.sweep_tree_choose_solver" in calls) != solvers.has_fast()
 
 
 def test_a_draw_of_fifty_operands_is_few_calls_about_the_one_that_is_picked(scene):
