@@ -62,7 +62,7 @@ def test_a_blend_file_holds_the_tree_live(scene, job, capfd):
     (operand,) = result.children
     assert shown(result).volume() == pytest.approx(UNION, rel=1e-5)
     assert operand.hide_render and operand.display_type == "WIRE" and not result.hide_render
-    operand.data.sweep.translational_sweep.height = 3.0
+    operand.data.sweep.generalized_cylinder.trajectory_line_end = (2.0, 0.0, 0.0)
     assert shown(result).volume() == pytest.approx(UNION + 0.21, rel=1e-5)
 
 

@@ -50,7 +50,7 @@ def test_the_mesh_of_a_tree_is_one_closed_surface_with_the_volume_of_the_sweep(e
     """A solid without holes and voids has Euler characteristic 2: a gap between primitives would be a second surface.
 
     One in 349 has one: the solver drops corners on straight lines, and misses by a last digit what comes there next.
-    Arcs that are a single chord in the sweep are two in its primitives: that changes its volume by less than chords do.
+    Arcs that are a single chord in the sweep are two in its primitives, which changes its volume by less than chords.
     """
     pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
     parted = []
