@@ -74,3 +74,47 @@ def test_grammars_without_chance_derive_the_words_of_the_reference(told):
 )
 def test_published_semantics(told, generations, wanted):
     assert str(LSystem.parse(told).derive(generations)) == wanted
+
+
+IN_ORDER = "\ndecomposition:\nQ -> QQ"  # of what no word has: it is derived step by step
+
+
+@given(grammars(context=False, cut=False))
+@example("axiom: F[+A]\nF -> FA\nA -> F[-A]")
+def test_words_that_are_laid_out_once_are_those_derived_step_by_step(told):
+    words = []
+    for text_ in (told, told + IN_ORDER):
+        try:
+            words.append(LSystem.parse(text_).derive(3, 5, SMALL))
+        except ShapeError:
+            words.append(None)
+    once, stepwise = words
+    assert (once is None) == (stepwise is None)
+    if once is not None:
+        assert str(once) == str(stepwise)
+        assert once.births.tolist() == stepwise.births.tolist()
+
+
+def test_numbers_drawn_in_an_interpretation_do_not_hang_on_how_the_word_was_derived():
+    told = "axiom: A\nA -> F[+A]A\nhomomorphism:\nF -(0.5)-> G\nA : ran(1) < 0.3 -> H(ran(2))"
+    once, stepwise = (LSystem.parse(text_).derive(5, 1) for text_ in (told, f"{told}{IN_ORDER}"))
+    assert str(once.interpreted()) == str(stepwise.interpreted())
+    assert 0 < once.interpreted().count("G") < once.count("F")  # what is left as it is, is so for good
+
+
+def test_a_changed_production_alters_what_grows_out_of_its_own_modules_alone():
+    """The random numbers of A's branches are the same, whatever B becomes."""
+    told = "axiom: A[B]A\nA -(0.5)-> A[+F]\nA -(0.5)-> [-F]A\nB -> {}\nC -(0.5)-> D"
+    words = [str(LSystem.parse(told.format(successor)).derive(6, 2)) for successor in ("B", "CBC", "BCC")]
+    others = [word.translate(dict.fromkeys(map(ord, "BCD"))) for word in words]
+    assert len(set(words)) == 3
+    assert others[0] == others[1] == others[2] and others[0].count("F") == 12
+
+
+@pytest.mark.parametrize(("told", "mean", "spread"), [("ran(4)", 2, 4 / 12**0.5), ("nran(3, 0.5)", 3, 0.5)])
+def test_random_numbers_have_their_distribution(told, mean, spread):
+    word = LSystem.parse(f"axiom: A\nA -> AA\ngroup 15:\nA -> B({told})").derive(15, 9)
+    values = word.columns[0]
+    assert len(values) == 2**14
+    assert abs(values.mean() - mean) < 4 * spread / 2**7
+    assert values.std() == abs(values.std()) and abs(values.std() / spread - 1) < 0.03

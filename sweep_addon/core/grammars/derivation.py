@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Derivations: how a system gets from its axiom to a word, by the fastest way that its productions allow."""
 
+from functools import partial
 from operator import index
 
+import numpy as np
+
 from ..parameters import require
-from . import doubling
+from . import doubling, layout
 from .budget import Budget, Meter
 from .directives import LARGEST_SEED, MOST_GENERATIONS
 from .draws import root
+from .forest import Forest
 from .growth import foretold
 from .reading import DEPTH
 from .stepping import State, first, step
@@ -18,6 +22,7 @@ DECOMPOSED = 1  # moments of the levels of a decomposition begin here; that of a
 LEVELS = 512  # moments in each step
 WAYS = {
     "doubling": "words are copied together from the words of their successors",
+    "forest": "modules grow as a forest that is laid out once",
     "in order": "all modules of a word at once, step by step",
 }
 
@@ -35,8 +40,13 @@ def derived(system, generations, seed, budget, progress):
     if strategy(tables) == "doubling" and sizes:
         symbols = doubling.word(tables, generations)
         meter.tick(generations)
-        return Word(tables, State(symbols, []), generations, seed)
-    return Word(tables, in_order(tables, generations, seed, meter), generations, seed)
+        state = State(symbols, [], None, lambda: doubling.births(tables, generations))
+    elif strategy(tables) == "forest":
+        *_, forest = forests(tables, generations, seed, meter)
+        state = layout.word(forest)
+    else:
+        *_, state = states(tables, generations, seed, meter)
+    return Word(tables, state, generations, seed)
 
 
 def whole(value, most, key):
@@ -50,15 +60,23 @@ def whole(value, most, key):
 
 
 def strategy(tables):
-    """Which way suits a system: "doubling" or "in order"."""
-    return "doubling" if doubling.suits(tables) else "in order"
+    """Which of the ways suits a system."""
+    if doubling.suits(tables):
+        return "doubling"
+    every = (tables.common, *tables.groups.values())
+    alone = not tables.decomposition and tables.cut is None and not any(rules.context for rules in every)
+    return "forest" if alone else "in order"
 
 
-def in_order(tables, generations, seed, meter):
-    """The word, step by step."""
-    for state in states(tables, generations, seed, meter):  # noqa: B007 the last one counts
-        pass
-    return state
+def forests(tables, generations, seed, meter):
+    """The forest of all generations, one that grows."""
+    forest = Forest(tables, seed, meter)
+    meter.room(forest.total, 0)
+    yield forest
+    for generation in range(1, generations + 1):
+        forest.step(tables.of_step(generation), generation, generation * LEVELS)
+        meter.tick(generation)
+        yield forest
 
 
 def states(tables, generations, seed, meter):
@@ -69,10 +87,7 @@ def states(tables, generations, seed, meter):
     yield state
     for generation in range(1, generations + 1):
         rules = tables.of_step(generation)
-
-        def room(total, generation=generation):
-            meter.room(total, generation)
-
+        room = partial(meter.room, generation=generation)
         state, _ = step(state, tables, rules, generation * LEVELS, generation, room)
         state = decomposed(state, tables, generation, meter)
         meter.tick(generation)
@@ -86,7 +101,10 @@ def sizes(system, generations, seed, budget, progress):
     found = foretold(tables, generations)
     if found and len(found) > generations:
         return found
-    return [len(state) for state in states(tables, generations, whole(seed, LARGEST_SEED, "seed"), meter)]
+    seed = whole(seed, LARGEST_SEED, "seed")
+    if strategy(tables) == "in order":
+        return [len(state) for state in states(tables, generations, seed, meter)]
+    return [forest.total for forest in forests(tables, generations, seed, meter)]
 
 
 def decomposed(state, tables, generation, meter):
@@ -98,17 +116,15 @@ def decomposed(state, tables, generation, meter):
 
 
 def repeated(state, tables, rules, depth, generation, moment, meter, what):
-    """The word after as many levels as productions apply, or as the depth allows."""
+    """The word after as many levels as productions apply to what the last one made, or as the depth allows."""
+    state = State(state.symbols, state.columns, state.keys, state.births, np.ones(len(state), dtype=bool))
     for level in range(DEPTH + 1 if depth is None else depth):
         moments = generation * LEVELS + moment + level
-        state, changed = step(state, tables, rules, moments, generation, lambda total: meter.room(total, generation))
+        room = partial(meter.room, generation=generation)
+        state, changed = step(state, tables, rules, moments, generation, room, cutting=False)
         if not changed:
             break
-        require(
-            depth is not None or level < DEPTH,
-            f"must end within {DEPTH} levels or say its maximum depth",
-            level + 1,
-            what,
-        )
+        ends = depth is not None or level < DEPTH
+        require(ends, f"must end within {DEPTH} levels or say its maximum depth", level + 1, what)
         meter.tick(generation)
-    return state
+    return State(state.symbols, state.columns, state.keys, state.births)

@@ -62,7 +62,8 @@ def taken(state, rules, moment, links):
         The modules that it replaces.
     """
     for symbol, choices in rules.choices.items():
-        waiting = np.flatnonzero(state.symbols == symbol)
+        wanted = state.symbols == symbol
+        waiting = np.flatnonzero(wanted if state.fresh is None else wanted & state.fresh)
         for choice in choices:
             if not waiting.size:
                 break

@@ -24,12 +24,14 @@ class State:
         The first parameter of all modules, the second, ...; 0 where a module has none.
     keys : (n,) uint64 array or None
         What the random numbers of each module hang on, where there are any.
-    births : (n,) int32 array or None
-        The step that made each module.
+    births : (n,) int32 array, callable or None
+        The step that made each module, or what finds that out.
+    fresh : (n,) bool array or None
+        Which modules may be replaced at all; None for all of them.
     """
 
-    def __init__(self, symbols, columns, keys=None, births=None):
-        self.symbols, self.columns, self.keys, self.births = symbols, columns, keys, births
+    def __init__(self, symbols, columns, keys=None, births=None, fresh=None):
+        self.symbols, self.columns, self.keys, self.births, self.fresh = symbols, columns, keys, births, fresh
 
     @property
     def ended(self):
@@ -56,7 +58,7 @@ def first(tables, key):
     return state
 
 
-def step(state, tables, rules, moment, birth, room):
+def step(state, tables, rules, moment, birth, room, cutting=True):
     """The word after a step.
 
     Parameters
@@ -70,6 +72,8 @@ def step(state, tables, rules, moment, birth, room):
         The step, as modules remember it.
     room : callable
         Called with the number of modules to come before they are made; it may refuse.
+    cutting : bool
+        Whether cuts act.
 
     Returns
     -------
@@ -79,7 +83,7 @@ def step(state, tables, rules, moment, birth, room):
     """
     kind = tables.kind[state.symbols]
     links = Neighbours(kind, rules.branches) if rules.context else None
-    cuts = np.flatnonzero(state.symbols == tables.cut) if tables.cut is not None else ()
+    cuts = np.flatnonzero(state.symbols == tables.cut) if cutting and tables.cut is not None else ()
     gone = removed(kind, cuts) if len(cuts) else None
 
     replaced = []
@@ -106,6 +110,7 @@ def written(state, replaced, gone, starts, total, moment, birth):
     columns = [np.zeros(total) for _ in state.columns]
     keys = None if state.keys is None else np.empty(total, dtype=np.uint64)
     births = None if state.births is None else np.full(total, birth, dtype=np.int32)
+    fresh = None if state.fresh is None else np.ones(total, dtype=bool)
 
     stays = np.ones(len(state), dtype=bool) if gone is None else ~gone
     for _, site in replaced:
@@ -119,6 +124,8 @@ def written(state, replaced, gone, starts, total, moment, birth):
         keys[to] = state.keys[stays]
     if births is not None:
         births[to] = state.births[stays]
+    if fresh is not None:
+        fresh[to] = False
 
     for template, site in replaced:
         at = starts[site.rows[0]]
@@ -135,8 +142,8 @@ def written(state, replaced, gone, starts, total, moment, birth):
         if keys is not None:
             parents = state.keys[site.rows[0]]
             for place in range(len(template.symbols)):
-                keys[at + place] = parents if len(template.symbols) == 1 else mixed(parents + template.salts[place])
-    return State(symbols, columns, keys, births)
+                keys[at + place] = template.child_keys(parents, place)
+    return State(symbols, columns, keys, births, fresh)
 
 
 def told(template, place, column):

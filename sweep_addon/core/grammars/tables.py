@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..expressions import DRAW
-from .draws import salts
+from .draws import mixed, salts
 from .grouping import ROUNDING, grouped
 from .modules import CLOSE, OPEN
 
@@ -184,3 +184,7 @@ class Template:
         self.formulas = [(k, c, p) for k, c, p in each if p.names]
         self.random = any(name.startswith(DRAW) for _, _, p in self.formulas for name in p.names)
         self.salts = salts(self.names)
+
+    def child_keys(self, keys, place):
+        """(m,) uint64 array: the keys of the modules at a place, from those of the modules that they replace."""
+        return keys if self.rule and len(self.symbols) == 1 else mixed(keys + self.salts[place])

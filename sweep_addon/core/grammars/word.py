@@ -6,8 +6,6 @@ from functools import cached_property
 
 import numpy as np
 
-from . import doubling
-
 
 class Word:
     """A row of modules that a system derived.
@@ -56,9 +54,7 @@ class Word:
     @cached_property
     def births(self):
         """(n,) int array: the step that made each module."""
-        if self.state.births is None:
-            return doubling.births(self.tables, self.generations)
-        return self.state.births
+        return self.state.births() if callable(self.state.births) else self.state.births
 
     def interpreted(self, budget=None, progress=None):
         """The word that a turtle is told: modules are replaced by what the homomorphism of the system says.

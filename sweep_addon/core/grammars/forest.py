@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Derivations without contexts: a forest of modules, of which only those live that a production may replace.
+
+The word is not rewritten. A batch notes which modules a production replaces in a step, and where in its successor
+others stand that live on; how much room each takes in the last word is added up backwards, and where it begins
+forwards. So each module of the word is written once, and what nothing replaces costs nothing until then.
+"""
+
+import numpy as np
+
+from .chunks import Chunk, merged
+from .draws import even, root
+from .matching import finite
+from .stepping import told
+
+MOST_CHUNKS = 32  # of a kind, before they are made one
+
+
+class Batch:
+    """Modules that a production replaces in a step.
+
+    Attributes
+    ----------
+    template : Template
+    chunk : Chunk
+        The modules.
+    step : int
+    values : dict of (int, int) to float or (m,) float array
+        The parameters of what replaces them, by place and column.
+    children : dict of int to int
+        The number of the first module that lives on, by place.
+    """
+
+    def __init__(self, template, chunk, step):
+        self.template, self.chunk, self.step, self.values, self.children = template, chunk, step, {}, {}
+
+    def evaluate(self, moment):
+        """Find the parameters of what replaces the modules."""
+        template, known = self.template, {}
+        self.values = {(place, column): value for place, column, value in template.fixed}
+        for place, column, formula in template.formulas:
+            if formula.program not in known:
+                value = self.chunk.values(formula, template.sources, moment)
+                known[formula.program] = finite(value, template.rule, told(template, place, column))
+            self.values[place, column] = known[formula.program]
+
+    def parameters(self, place, count):
+        return [self.values[place, column] for column in range(count)]
+
+
+class Forest:
+    """The modules of a derivation that live, and the batches of those that did.
+
+    Parameters
+    ----------
+    tables : Tables
+    seed : int
+    meter : Meter
+    """
+
+    def __init__(self, tables, seed, meter):
+        self.tables, self.meter = tables, meter
+        self.arity = [count for _, count in tables.symbols]
+        every = (tables.common, *tables.groups.values())
+        self.lives = {symbol for rules in every for symbol in rules.choices}
+        self.population = {symbol: [] for symbol in self.lives}
+        self.batches, self.nodes, self.total = [], 1, len(tables.axiom.symbols)
+        axiom = Batch(tables.axiom, Chunk(slice(0, 1), 1, [], 0, root(seed) if tables.random else None), 0)
+        self.grow([axiom], 0)
+
+    def step(self, rules, generation, moment):
+        """Replace all modules that live."""
+        before, self.population = self.population, {symbol: [] for symbol in self.lives}
+        batches = []
+        for symbol, chunks in before.items():
+            for chunk in chunks:
+                for template, part in taken(chunk, rules.choices.get(symbol, ()), moment):
+                    if template is None:
+                        self.population[symbol].append(part)
+                    elif len(template.symbols) == 1 and template.symbols[0] in self.lives:
+                        self.renew(template, part, generation, moment)
+                    else:
+                        batches.append(Batch(template, part, generation))
+        self.total += sum(batch.chunk.size * (len(batch.template.symbols) - 1) for batch in batches)
+        self.meter.room(self.total, generation)
+        self.grow(batches, moment)
+        for symbol, chunks in self.population.items():
+            if len(chunks) > MOST_CHUNKS:
+                self.population[symbol] = [merged(chunks)]
+
+    def renew(self, template, chunk, generation, moment):
+        """Make modules another, each for one."""
+        batch = Batch(template, chunk, generation)
+        batch.evaluate(moment)
+        symbol = template.symbols[0]
+        columns = batch.parameters(0, self.arity[symbol])
+        self.population[symbol].append(Chunk(chunk.nodes, chunk.size, columns, generation, chunk.keys))
+
+    def grow(self, batches, moment):
+        """Let modules of batches follow that live on: those of a kind get numbers in a row."""
+        followers = {}
+        for batch in batches:
+            batch.evaluate(moment)
+            for place, symbol in enumerate(batch.template.symbols):
+                if symbol in self.lives:
+                    followers.setdefault(symbol, []).append((batch, place))
+        self.batches += batches
+        for symbol, slots in followers.items():
+            parts = []
+            for batch, place in slots:
+                batch.children[place] = self.nodes
+                nodes = slice(self.nodes, self.nodes + batch.chunk.size)
+                columns = batch.parameters(place, self.arity[symbol])
+                keys = batch.chunk.keys
+                keys = None if keys is None else batch.template.child_keys(keys, place)
+                parts.append(Chunk(nodes, batch.chunk.size, columns, batch.step, keys))
+                self.nodes = nodes.stop
+            chunk = merged(parts) if len(parts) > 1 else parts[0]
+            chunk.nodes = slice(parts[0].nodes.start, parts[-1].nodes.stop)
+            self.population[symbol].append(chunk)
+
+
+def taken(chunk, choices, moment):
+    """The productions that modules of a chunk take, each with those; and None with those that stay."""
+    for choice in choices:
+        if choice.condition is not None:
+            value = chunk.values(choice.condition, choice.sources, moment)
+            value = finite(value, choice.productions[0], "the condition")
+            matching, chunk = chunk.parted(value != 0)
+        else:
+            matching, chunk = chunk, None
+        if matching is not None and choice.always:
+            yield choice.templates[0], matching
+        elif matching is not None:
+            which = np.searchsorted(choice.bounds, even(matching.keys, moment, 0), side="right")
+            for number, template in enumerate((*choice.templates, None)):
+                chosen = np.flatnonzero(which == number)
+                if chosen.size:
+                    yield template, matching.part(chosen)
+        if chunk is None:
+            return
+    yield None, chunk
