@@ -73,7 +73,7 @@ class OffsetSurface(Operand):
         >>> len(mesh.boundary_edges()), mesh.euler_characteristic()
         (0, 2)
         >>> mesh.told[0].split(":")[0]
-        'Offset by rounded faces, as the solid has no more than 600 flat faces'
+        'Offset by rounded faces, as the solid has no more than 2000 flat faces'
         """
         return self.made().mesh(self.radius, dtype)
 
