@@ -45,6 +45,7 @@ def test_a_washer_is_a_cylinder_less_a_cylinder():
     assert [step.operation.name for step in tree.steps] == ["DIFFERENCE"]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("every", [12, pytest.param(1, marks=pytest.mark.large)])
 def test_the_mesh_of_a_tree_is_one_closed_surface_with_the_volume_of_the_sweep(every):
     """A solid without holes and voids has Euler characteristic 2: a gap between primitives would be a second surface.
@@ -64,6 +65,7 @@ def test_the_mesh_of_a_tree_is_one_closed_surface_with_the_volume_of_the_sweep(e
     assert len(parted) <= len(REAL[::every]) // 100, parted
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("every, samples", [(12, 2_000), pytest.param(1, 20_000, marks=pytest.mark.large)])
 def test_membership_of_a_tree_is_that_of_the_outline(every, samples):
     rng = np.random.default_rng(7)

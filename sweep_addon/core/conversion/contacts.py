@@ -4,7 +4,7 @@
 
 from math import hypot, sqrt
 
-from .edges import beside, circle, off_circle, power, sagitta
+from .edges import about, beside, circle, off_circle, power, sagitta
 
 
 def meet(new, old, shared, near):
@@ -151,8 +151,3 @@ def graze(one, other, near):
 def curvature(arc):
     ax, ay, bx, by, bulge = arc
     return 4 * abs(bulge) / ((1 + bulge * bulge) * hypot(bx - ax, by - ay))
-
-
-def about(edge, x, y):
-    ax, ay, bx, by, bulge = edge
-    return ax - x, ay - y, bx - x, by - y, bulge

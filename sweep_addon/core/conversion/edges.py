@@ -93,3 +93,9 @@ def half_tangent(bulge):
     0.414214
     """
     return bulge / (1 + hypot(1, bulge))
+
+
+def about(edge, x, y):
+    """The edge as seen from a point."""
+    ax, ay, bx, by, bulge = edge
+    return ax - x, ay - y, bx - x, by - y, bulge

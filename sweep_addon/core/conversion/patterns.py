@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Patterns in an outline: edges that would be a simpler outline, was a simple solid joined to it or cut out of it."""
 
-from math import copysign, hypot
+from math import copysign, hypot, inf
 from typing import NamedTuple
 
-from .edges import circle, off_circle
+from .edges import about, circle
 from .loop import Loop, turn, went_on
 
 
@@ -112,23 +112,22 @@ def rounding(loop, i, least):
     before, edge, after = loop.edge(i - 1), loop.edge(i), loop.edge(i + 1)
     if n < 4 or before[4] * after[4] <= 0:
         return
-    if not all(abs(off_circle(before, *p)) <= least for p in (after[:2], after[2:4])):
-        return
-    if not all(abs(off_circle(after, *p)) <= least for p in (before[:2], before[2:4])):
-        return
     bulge = bulge_along(before, edge)
-    if abs(bulge) <= 1000:
+    joined = went_on(before, (*edge[:4], bulge), least) if abs(bulge) <= 1000 else None
+    if joined is not None and went_on((*before[:2], *edge[2:4], joined), after, least) is not None:
         yield Pattern(3 + (edge[4] != 0), i, 1, (edge[:2],), (bulge,))
 
 
 def bulge_along(arc, edge):
     """The bulge of the arc of a circle that turns as another of its arcs, from one point of it to another."""
     ax, ay, bx, by, _ = edge
-    p, q, r, _ = circle(arc)
-    tx, ty = -2 * p * ay - r, 2 * p * ax + q  # along the circle, across the gradient of the power
+    _, q, r, _ = circle(about(arc, ax, ay))
+    tx, ty = -r, q  # along the circle, across the gradient of the power
     cx, cy = bx - ax, by - ay
     sine, cosine = cross(tx, ty, cx, cy), tx * cx + ty * cy
-    return sine / (hypot(sine, cosine) + cosine) if sine or cosine > 0 else float("inf")
+    if cosine >= 0:  # half the angle's tangent, without a difference that cancels
+        return sine / (hypot(sine, cosine) + cosine)
+    return (hypot(sine, cosine) - cosine) / sine if sine else inf
 
 
 def cross(ax, ay, bx, by):

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..contours import Outline
 from ..frozen import frozen
 from .inside import inside
 from .loop import Loop
@@ -56,6 +57,4 @@ class Primitive:
 
 def outline_of(loop):
     """A loop as a contour that can be swept."""
-    from ..contours.outline import Outline
-
     return Outline(loops=[np.array(loop.corners)], bulges=[np.array(loop.bulges)])
