@@ -35,9 +35,10 @@ class Branches:
     >>> branches = Branches(brackets, word[brackets] == "[")
     >>> branches.parent.tolist()
     [-1, 0, 1, 1, 0]
-    >>> segments = np.flatnonzero(word == "F")
-    >>> branches.sums(np.ones(len(segments)), branches.first(segments))[1].tolist()
+    >>> branches.sums(np.ones(6), branches.first(word == "F"))[1].tolist()
     [1.0, 2.0, 3.0, 4.0, 4.0, 2.0]
+    >>> branches.previous(branches.first(word == "F")).tolist()
+    [-1, 0, 1, 2, 2, 0]
     """
 
     def __init__(self, brackets, opens):
@@ -53,13 +54,22 @@ class Branches:
         ends = np.append(self.starts[1:], count) - 1
         self.closing = self.order[ends]  # the last stretch of each branch, of the whole word's first
 
-    def first(self, places):
-        """(b + 2,) int array: which of the items at sorted places in the word is the first of each stretch."""
-        return np.concatenate(([0], np.searchsorted(places, self.brackets), [len(places)]))
+    def first(self, chosen):
+        """Which of some items is the first of each stretch.
 
-    def stretch(self, first):
-        """(n,) int array: the stretch of each item."""
-        return np.repeat(np.arange(len(first) - 1), np.diff(first))
+        Parameters
+        ----------
+        chosen : (n,) bool array
+            Which modules of the word are items.
+
+        Returns
+        -------
+        (b + 2,) int array
+            At its end how many items there are.
+        """
+        counted = np.cumsum(chosen, dtype=np.int32)
+        total = counted[-1:] if len(counted) else np.zeros(1, dtype=np.int32)
+        return np.concatenate((np.zeros(1, dtype=np.int32), counted[self.brackets], total)).astype(np.intp)
 
     def sums(self, values, first):
         """Sums of values on the way from the root to each item.
@@ -82,16 +92,40 @@ class Branches:
         -----
         Where a branch ends the sum of its own stretches is taken off again; those within it have done so before.
         """
-        heads = first[:-1] + np.arange(len(first) - 1)
-        place = np.arange(1, len(values) + 1) + self.stretch(first)
-        spread = np.zeros(len(values) + len(heads), dtype=values.dtype)
-        spread[place] = values
-        own = np.add.reduceat(np.add.reduceat(spread, heads)[self.order], self.starts)
-        closed = self.closing[1:]
-        inner = closed + 1 < len(heads)
-        spread[heads[closed[inner] + 1]] -= own[1:][inner]
-        total = np.cumsum(spread)
-        return total[place - 1], total[place]
+        filled = np.flatnonzero(first[1:] > first[:-1])
+        of_stretch = np.zeros(len(first) - 1, dtype=values.dtype)
+        if len(filled):
+            of_stretch[filled] = np.add.reduceat(values, first[filled])
+        own = np.add.reduceat(of_stretch[self.order], self.starts)[1:]
+        behind = first[self.closing[1:] + 1]
+        inner = behind < len(values)
+        back = np.zeros(len(values) + 1, dtype=values.dtype)
+        np.add.at(back, behind[inner], own[inner])
+        after = np.cumsum(values - back[:-1])
+        before = np.concatenate((np.zeros(1, dtype=values.dtype), after[:-1]))[: len(values)] - back[:-1]
+        return before, after
+
+    def counts(self, steps):
+        """(n,) int32 array: what whole numbers at modules of a word add up to on the way to each module.
+
+        Parameters
+        ----------
+        steps : (n,) int8 array
+            0 at brackets.
+        """
+        ends = np.concatenate(([0], self.brackets))
+        own = np.add.reduceat(steps, ends, dtype=np.int32) if len(steps) else np.zeros(1, dtype=np.int32)
+        own = np.add.reduceat(own[self.order], self.starts)[1:]
+        steps = steps.astype(np.int32)
+        steps[self.brackets[self.closing[1:]]] -= own
+        return np.cumsum(steps, out=steps)
+
+    def previous(self, first):
+        """(n,) int array: the item before each on its way from the root, or -1."""
+        found = np.arange(-1, first[-1] - 1)
+        filled = np.flatnonzero(first[1:] > first[:-1])
+        found[first[filled]] = self.latest(first)[filled]
+        return found
 
     def latest(self, first):
         """(b + 1,) int array: the last item before each stretch on its way from the root, or -1."""
@@ -107,15 +141,17 @@ class Branches:
             found[waiting] = known
             above[waiting] = above[above[waiting]]
 
-    def before(self, places, items):
+    def before(self, places, chosen):
         """(n,) int array: the last of some items at or before each place, on the way from the root; or -1.
 
         Parameters
         ----------
-        places, items : (n,), (m,) int array
-            Sorted places in the word.
+        places : (n,) int array
+            Places in the word, in its order.
+        chosen : (n,) bool array
+            Which modules of the word are items.
         """
-        first = self.first(items)
+        first = self.first(chosen)
         stretch = np.searchsorted(self.brackets, places, side="right")
-        found = np.searchsorted(items, places, side="right") - 1
+        found = np.searchsorted(np.flatnonzero(chosen), places, side="right") - 1
         return np.where(found >= first[stretch], found, self.latest(first)[stretch])

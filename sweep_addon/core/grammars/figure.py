@@ -1,15 +1,17 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures: what a turtle has drawn, as arrays."""
+"""Figures: what a turtle has drawn, as arrays. What takes looking at the word again is found when it is asked for."""
 
 from functools import cached_property
 
 import numpy as np
 
-from ..frozen import individual
+from . import turns
+from .filling import organs, polygons
+
+THINNER = 0.5**0.5  # what a diameter is multiplied by where none is said: two such branches are as thick as one before
 
 
-@individual
 class Figure:
     """Segments, polygons and organs that a turtle has left on its way through a word.
 
@@ -17,54 +19,86 @@ class Figure:
     ----------
     start, end : (n, 3) float array
         The ends of each segment, in metres.
-    width : (n,) float array
-        Diameters, in metres.
-    colour : (n,) float array
-        Numbers of colours.
     place : (n,) int array
         The module of each segment in the word that was interpreted.
-    parent : (n,) int array
-        The segment that each goes on from, or -1.
-    branch : (n,) int array
-        The branch of each segment: the part of the word within one pair of brackets.
-    joined : (n,) bool array
-        Whether it begins where its parent ends, in the same branch.
-    birth : (n,) int array
-        The step of the derivation that made it.
-    orientations : callable
-        Gives a pair of (n,) complex arrays, the orientation of each segment as a quaternion; `axes` has it as vectors.
     at : (3,) float array
-        Where the turtle is at the end.
-    polygons : tuple of (k, 3) float array
-        Their vertices, in metres.
-    organs : tuple of Organ
+        Where the turtle is at the end, in metres.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.grammars import LSystem
+    >>> figure = LSystem.parse("#step 2\\naxiom: F[+(90)!(0.05)F]F").derive(0).figure()
+    >>> figure.start.tolist()
+    [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
+    >>> figure.width.tolist(), figure.parent.tolist(), figure.axis.tolist()
+    ([0.1, 0.05, 0.1], [-1, 0, 0], [0, 1, 0])
     """
 
-    start: np.ndarray
-    end: np.ndarray
-    width: np.ndarray
-    colour: np.ndarray
-    place: np.ndarray
-    parent: np.ndarray
-    branch: np.ndarray
-    joined: np.ndarray
-    birth: np.ndarray
-    orientations: object
-    at: np.ndarray
-    polygons: tuple = ()
-    organs: tuple = ()
+    def __init__(self, walk, start, end, at, orientations):
+        self.walk, self.at, self.orientations = walk, at, orientations
+        self.moves_start, self.moves_end = start, end
+        self.drawn = walk.is_drawn
+        whole = self.drawn.all()
+        self.start, self.end = (start, end) if whole else (start[self.drawn], end[self.drawn])
+        self.place = walk.moves if whole else walk.moves[self.drawn]
+
+    def __len__(self):
+        return len(self.start)
 
     @cached_property
     def axes(self):
         """(n, 3, 3) float array: heading, left and up of the turtle on each segment."""
-        from .turns import axes
+        return turns.axes(*turns.taken(self.orientations(), self.drawn))
 
-        return axes(*self.orientations())
+    @cached_property
+    def width(self):
+        """(n,) float array: the diameter of each segment, in metres."""
+        return self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times)
+
+    @cached_property
+    def colour(self):
+        """(n,) float array: the number of the colour of each segment."""
+        return self.changing("'", 0.0, np.add, lambda times: times)
+
+    @cached_property
+    def birth(self):
+        """(n,) int array: the step of the derivation that made each segment."""
+        return self.walk.word.births[self.place]
+
+    @cached_property
+    def parent(self):
+        """(n,) int array: the segment that each goes on from, or -1."""
+        return self.walk.branches.previous(self.walk.branches.first(self.walk.drawing[self.walk.symbols]))
+
+    @cached_property
+    def branch(self):
+        """(n,) int array: the branch of each segment, the part of the word within one pair of brackets."""
+        branches = self.walk.branches
+        first = branches.first(self.walk.drawing[self.walk.symbols])
+        return np.repeat(branches.branch, np.diff(first))
+
+    @cached_property
+    def joined(self):
+        """(n,) bool array: whether each segment begins where its parent ends, in the same branch."""
+        walk, parent = self.walk, self.parent
+        moved = walk.branches.previous(walk.branches.first(walk.moving[walk.symbols]))[self.drawn]
+        straight = (moved >= 0) & self.drawn[moved]
+        return straight & (parent >= 0) & (self.branch[parent] == self.branch)
+
+    @cached_property
+    def polygons(self):
+        """Tuple of (k, 3) float array: the vertices of each polygon, in metres."""
+        return polygons(self.walk, self.moves_end)
+
+    @cached_property
+    def organs(self):
+        """Tuple of Organ: organs by name, and where they are."""
+        return organs(self.walk, self.moves_end)
 
     @property
     def bounds(self):
         """(2, 3) float array: the least and the greatest coordinates of all segments, in metres."""
-        if not len(self.start):
+        if not len(self):
             return np.zeros((2, 3))
         return np.array([np.minimum(self.start, self.end).min(axis=0), np.maximum(self.start, self.end).max(axis=0)])
 
@@ -84,12 +118,29 @@ class Figure:
     def order(self):
         """(n,) int array: of how many others the branch of each segment grows out of another: 0 for the stem."""
         first = np.flatnonzero(~self.joined)
-        grown = self.branch[first] != np.append(self.branch, -1)[self.parent[first]]
-        steps = (grown & (self.parent[first] >= 0)).astype(np.intp)
+        parent = self.parent[first]
+        steps = ((parent >= 0) & (self.branch[first] != self.branch[parent])).astype(np.intp)
         of_axis = np.empty(len(first), dtype=np.intp)
         of_axis[self.axis[first]] = np.arange(len(first))
-        above = np.where(self.parent[first] >= 0, of_axis[self.axis[self.parent[first]]], -1)
+        above = np.where(parent >= 0, of_axis[self.axis[parent]], -1)
         while (above >= 0).any():
             steps = steps + np.where(above >= 0, steps[above], 0)
             above = np.where(above >= 0, above[above], -1)
         return steps[of_axis[self.axis]]
+
+    def changing(self, name, default, combine, change):
+        """(n,) float array: what modules of a name with a parameter set and others change, at each segment."""
+        walk, branches = self.walk, self.walk.branches
+        value = np.full(len(self), float(default))
+        if not walk.named.get(name):
+            return value
+        sets = walk.chosen(name, given=True)
+        last = branches.before(self.place, sets)
+        value[last >= 0] = walk.word.columns[0][np.flatnonzero(sets)[last[last >= 0]]] if sets.any() else 0
+        changes = walk.chosen(name, given=False)
+        if changes.any():
+            counted = branches.counts(changes.astype(np.int8))
+            times = counted[self.place]
+            times[last >= 0] -= counted[np.flatnonzero(sets)[last[last >= 0]]]
+            value = combine(value, change(times))
+        return value

@@ -32,26 +32,24 @@ class Organ:
     scale: np.ndarray
 
 
-def position(walk, places, moves, end):
-    """(n, 3) float array: where the turtle is at places of the word."""
-    return np.concatenate((end, np.zeros((1, 3))))[walk.branches.before(places, moves)]
+def position(walk, places, end):
+    """(n, 3) float array: where the turtle is at places of the word, from where its moves end."""
+    return np.concatenate((end, np.zeros((1, 3))))[walk.branches.before(places, walk.is_moving)]
 
 
-def polygons(walk, moves, end):
+def polygons(walk, end):
     """The polygons of a word: their vertices are where braces open, at each F, f and dot, each once in a row.
 
     A polygon goes on through brackets; braces within braces make one of their own. What has fewer than three vertices
     is none.
     """
-    braces = walk.places(START, END)
-    if not len(braces):
+    if not walk.chosen(START).any():
         return ()
-    places = walk.places(START, END, MARK, *UNMARKED)
-    opens = np.isin(walk.symbols[places], walk.numbers(START))
-    closes = np.isin(walk.symbols[places], walk.numbers(END))
-    at = position(walk, places, moves, end)
+    places = np.flatnonzero(walk.chosen(START, END, MARK, *UNMARKED))
+    at = position(walk, places, end)
+    opens, closes = (walk.table(name)[walk.symbols[places]].tolist() for name in (START, END))
     made, unfinished = [], []
-    for place in range(len(places)) if len(places) else ():
+    for place in range(len(places)):
         if opens[place]:
             unfinished.append([place])
         elif closes[place] and unfinished:
@@ -66,15 +64,12 @@ def once(points):
     return points[(points != np.roll(points, 1, axis=0)).any(axis=1)] if len(points) > 1 else points
 
 
-def organs(walk, moves, end):
+def organs(walk, end):
     """The organs of a word, by name: each is the module behind a tilde."""
-    tildes = walk.places(ORGAN)
-    tildes = tildes[tildes + 1 < len(walk.symbols)]
-    if not len(tildes):
-        return ()
-    places = tildes + 1
+    tildes = np.flatnonzero(walk.chosen(ORGAN))
+    places = tildes[tildes + 1 < len(walk.symbols)] + 1
     names = np.array([name for name, _ in walk.word.tables.symbols], dtype=object)[walk.symbols[places]]
-    at, scale = position(walk, places, moves, end), walk.parameter(places, 1.0)
+    at, scale = position(walk, places, end), np.broadcast_to(walk.parameter(places, 1.0), places.shape)
     return tuple(
         Organ(name, places[names == name], at[names == name], scale[names == name]) for name in dict.fromkeys(names)
     )

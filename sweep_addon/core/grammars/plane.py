@@ -22,39 +22,47 @@ class Plane:
 
     def __init__(self, walk):
         self.walk = walk
-        self.turned = walk.places("+", "-", "|")
-        symbols = walk.symbols[self.turned]
-        self.sense = np.where(np.isin(symbols, walk.numbers("-")), -1, 1).astype(np.int32)
-        self.about = np.isin(symbols, walk.numbers("|"))
-        self.first = walk.branches.first(self.turned)
-        self.at = walk.branches.before(walk.moves, self.turned)
-        self.halves = self.summed(self.about.astype(np.int32)) % 2 if self.about.any() else 0
+        self.halves = self.counted("|", "") % 2 if walk.named.get("|") else None
 
-    def summed(self, values):
-        """(m,) array: what values of turns add up to on the way to moves."""
-        return np.append(self.walk.branches.sums(values, self.first)[1], values.dtype.type(0))[self.at]
+    def counted(self, left, right):
+        """(m,) int array: how often the turtle has turned left, and how often less right, on its way to each move."""
+        walk = self.walk
+        sense = np.zeros(len(walk.word.tables.symbols), dtype=np.int8)
+        sense[walk.numbers(left)] = 1
+        sense[walk.numbers(right)] = -1
+        return walk.branches.counts(sense[walk.symbols])[walk.moves]
 
     def degrees(self):
-        """Angles of which each move has one, and which; a half turn more where `halves` says so."""
+        """Angles, and which of them each move has; None where each has its own."""
         walk = self.walk
         if any(count for name in "+-" for _, count in walk.named.get(name, ())):
-            given = self.sense * walk.parameter(self.turned, walk.system.angle)
-            return self.summed(np.where(self.about, 0.0, given)), None
-        count = self.summed(np.where(self.about, 0, self.sense))
+            return self.added(), None
+        count = self.counted("+", "-")
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
         if most - least > WIDEST:
             return count * walk.system.angle, None
-        return np.arange(least, most + 1) * walk.system.angle, count - least
+        count -= least
+        return np.arange(least, most + 1) * walk.system.angle, count
+
+    def added(self):
+        """(m,) float array: the sum of the angles that turns say, on the way to each move."""
+        walk = self.walk
+        chosen = walk.chosen("+", "-")
+        places = np.flatnonzero(chosen)
+        sense = np.where(np.isin(walk.symbols[places], walk.numbers("-")), -1.0, 1.0)
+        given = sense * walk.parameter(places, walk.system.angle)
+        after = np.append(walk.branches.sums(given, walk.branches.first(chosen))[1], 0.0)
+        return after[walk.branches.before(walk.moves, chosen)]
 
     def directions(self):
         """(m,) complex array: the heading at each move, in the plane."""
         degrees, which = self.degrees()
         found = turns.unit(degrees)
         found = found if which is None else found[which]
-        return found * (1 - 2 * self.halves) if self.about.any() else found
+        return found if self.halves is None else found * (1 - 2 * self.halves)
 
     def quaternions(self):
         """Quaternions at each move."""
         degrees, which = self.degrees()
         degrees = degrees if which is None else degrees[which]
-        return turns.rotation(2, np.mod(degrees + 180.0 * self.halves, 720.0))
+        return turns.rotation(2, np.mod(degrees + (0 if self.halves is None else 180.0 * self.halves), 720.0))

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rotations of a walk in space, taken together where nothing is between them."""
+
+import numpy as np
+
+from . import turns
+
+TURNS = {"+": (2, 1), "-": (2, -1), "&": (1, 1), "^": (1, -1), "\\": (0, -1), "/": (0, 1)}  # axis and sense
+ABOUT = "|"
+LEVELS = ("$", "@v")
+SPATIAL = ("&", "^", "\\", "/", *LEVELS)
+SPIN, MOVE, LEVEL = 1, 2, 3
+
+
+class Tokens:
+    """Runs of rotations, each with what ends it: what rolls level, a move, both or neither.
+
+    Parameters
+    ----------
+    walk : Walk
+    """
+
+    def __init__(self, walk):
+        self.walk = walk
+        kinds = np.zeros(len(walk.word.tables.symbols), dtype=np.uint8)
+        kinds[walk.numbers(*TURNS, ABOUT)] = SPIN
+        kinds[walk.numbers(*LEVELS)] = LEVEL
+        kinds[walk.moving[: len(kinds)]] = MOVE
+        self.kind = kinds[walk.symbols]
+        chosen = self.kind > 0
+        places = np.flatnonzero(chosen)
+        kind = self.kind[places]
+        first = walk.branches.first(chosen)
+
+        new = np.zeros(len(places) + 1, dtype=bool)
+        new[first[:-1]] = True
+        new = new[:-1]
+        new[1:] |= (kind[:-1] == MOVE) | ((kind[:-1] == LEVEL) & (kind[1:] != MOVE))
+        self.token = np.cumsum(new) - 1
+        self.count = int(self.token[-1]) + 1 if len(places) else 0
+        self.first = np.append(self.token, self.count)[first]
+        self.of_move = self.token[kind == MOVE]
+        self.is_level = np.zeros(self.count, dtype=bool)
+        self.is_level[self.token[kind == LEVEL]] = True
+        spin = np.flatnonzero(kind == SPIN)
+        self.relative = turns.products_of_runs(*self.spins(places[spin]), self.token[spin], self.count)
+
+    def spins(self, places):
+        """The rotations of modules: looked up where the angle is always the same."""
+        walk = self.walk
+        symbols = walk.symbols[places]
+        tables = turns.empty(len(walk.word.tables.symbols))
+        named = [(number, axis, sense, c) for n, (axis, sense) in TURNS.items() for number, c in walk.named.get(n, ())]
+        for number, axis, sense, _ in named:
+            tables[0][number], tables[1][number] = turns.rotation(axis, sense * walk.system.angle)
+        for number in walk.numbers(ABOUT):
+            tables[0][number], tables[1][number] = turns.rotation(2, 180.0)
+        z, w = turns.taken(tables, symbols)
+        for number, axis, sense, count in named:
+            at = np.flatnonzero(symbols == number) if count else ()
+            if len(at):
+                z[at], w[at] = turns.rotation(axis, sense * walk.word.columns[0][places[at]])
+        return z, w
+
+    def orientations(self):
+        """Quaternions at each move."""
+        walk = self.walk
+        if not self.count:
+            return turns.empty(0)
+        parent = walk.branches.previous(self.first)
+        depth = walk.branches.sums(np.ones(self.count, dtype=np.int32), self.first)[0]
+        self.drawing = np.zeros(self.count, dtype=bool)
+        self.drawing[self.of_move[walk.is_drawn]] = True
+        change = self.changed if walk.bends or walk.levels else None
+        z, w = turns.along_paths(self.relative, parent, depth, walk.start, change)
+        return z[self.of_move], w[self.of_move]
+
+    def changed(self, tokens, z, w):
+        """What rolling level does at tokens, and the tropism behind them."""
+        rolls = self.is_level[tokens]
+        if rolls.any():
+            rolled = turns.level(z, w)
+            z, w = np.where(rolls, rolled[0], z), np.where(rolls, rolled[1], w)
+        left = z, w
+        if self.walk.bends:
+            *towards, ease = self.walk.system.tropism
+            towards = np.array(towards) / np.linalg.norm(towards)
+            turned = turns.bent(z, w, towards, ease)
+            draws = self.drawing[tokens]
+            left = np.where(draws, turned[0], z), np.where(draws, turned[1], w)
+        return (z, w), left
