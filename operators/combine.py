@@ -4,15 +4,13 @@
 
 from bpy.types import Operator
 
-from ..sweep_addon.core.csg import Operation
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError, spelled
-from ..sweep_addon.core.wording import titled
+from ..sweep_addon.core.parameters import ShapeError
 from .on_tree import can_change
 
 objects, operands, trees = later("bridge.objects"), later("bridge.operands"), later("bridge.trees")
 
-DOES = {
+DOES = {  # as core.csg names the operations, which enabling the extension need not import
     "union": "Add the other selected meshes to the active one",
     "intersection": "Keep of the active mesh what is in all other selected ones too",
     "difference": "Take the other selected meshes from the active one",
@@ -59,21 +57,15 @@ def others(context):
     return sorted(chosen, key=lambda ob: ob.name)
 
 
-def idname(operation):
-    """How Blender names the operator of a set operation."""
-    return f"object.sweep_{spelled(operation)}"
-
-
-def combine_operator(operation):
+def combine_operator(name):
     """The operator of one set operation."""
-    name = spelled(operation)
     members = {
         "__doc__": f"{DOES[name]}, which stays what it is and live",
-        "bl_idname": idname(operation),
-        "bl_label": titled(operation),
+        "bl_idname": f"object.sweep_{name}",
+        "bl_label": name.title(),
         "operation": name,
     }
     return type(f"OBJECT_OT_sweep_{name}", (Combine, Operator), members)
 
 
-OPERATORS = tuple(map(combine_operator, Operation))
+OPERATORS = tuple(map(combine_operator, DOES))

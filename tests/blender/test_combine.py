@@ -11,6 +11,8 @@ from scenes import cube, parameters_of, places, select, shown, straight, sweep
 
 import sweep_addon as sw
 from sweep_addon.bridge import objects, operands, solvers, trees
+from sweep_addon.core.csg import Operation
+from sweep_addon.core.parameters import spelled
 
 OPERATORS = {
     "union": bpy.ops.object.sweep_union,
@@ -55,6 +57,10 @@ def test_the_active_mesh_becomes_the_result_and_the_others_operands(scene, opera
     assert tool.parent == body and tool.display_type == "WIRE" and tool.hide_render
     assert [collection.name for collection in tool.users_collection] == ["body Operands"]
     assert not body.hide_render and body.display_type == "TEXTURED"
+
+
+def test_there_is_an_operator_for_each_operation():
+    assert set(OPERATORS) == {spelled(operation) for operation in Operation}
 
 
 def test_an_operand_keeps_its_place_in_a_result_that_is_turned_and_scaled(scene):
