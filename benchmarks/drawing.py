@@ -15,8 +15,8 @@ REDRAWS = 60
 INTRODUCTION = f"""
 ### Drawing the sidebar
 
-`draw()` of the tab *Sweep* in a real window; medians of {REDRAWS} redraws. What Blender then makes of the layout, in
-C, is not in it.
+`draw()` of the tab *Sweep*, and of trees that of its panel *Sweep-CSG*, in a real window; medians of {REDRAWS} redraws.
+What Blender then makes of the layout, in C, is not in it.
 """
 TITLES = ("the active object", "ms", "target")
 SCENES = {
@@ -32,6 +32,17 @@ SCENES = {
 }
 
 
+def drilled(count):
+    """A plate from which so many cylinders are taken."""
+    tree, drill = sw.solids.Block(10.0, 5.0, 0.5), sw.solids.Cylinder(0.3, 2.0, 32)
+    for number in range(count):
+        tree = tree - drill.moved(x=number % 10 - 4.5, y=number // 10 - 2.0)
+    return tree
+
+
+TREES = {f"a tree of {count} operands": drilled(count) for count in (3, 50)}
+
+
 def sidebar():
     """The window, its 3D view, and the view's sidebar, opened."""
     window = bpy.context.window_manager.windows[0]
@@ -43,17 +54,17 @@ def sidebar():
 def main(place):
     place["region"].active_panel_category = "Sweep"
     with bpy.context.temp_override(**place):
-        times = {name: drawn(shape) for name, shape in SCENES.items()}
+        times = {name: drawn(shape, bpy.types.VIEW3D_PT_sweep) for name, shape in SCENES.items()}
+        times |= {name: drawn(tree, bpy.types.VIEW3D_PT_sweep_csg) for name, tree in TREES.items()}
     rows = [(name, short(taken), verdict(taken, 1, " ms")) for name, taken in times.items()]
     tell(INTRODUCTION + "\n" + table(TITLES, rows))
 
 
-def drawn(shape):
-    """The median milliseconds of the panel's draw() with that shape active."""
+def drawn(shape, panel):
+    """The median milliseconds of a panel's draw() with that shape active."""
     active = sw.to_object(shape) if shape else None
     bpy.context.view_layer.objects.active = active
-    panel, taken = bpy.types.VIEW3D_PT_sweep, []
-    draw = panel.draw
+    taken, draw = [], panel.draw
 
     def timed(self, context):
         start = time.perf_counter()

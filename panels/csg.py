@@ -69,7 +69,7 @@ def draw_tree(layout, context, ob):
     say = sentences(context)
     steps = trees.booleans(ob)
     layout.label(text=summary(steps))
-    draw_warnings(layout, ob, say)
+    draw_warnings(layout, ob, steps, say)
     picked = trees.picked(ob)
     row = layout.row()
     draw_rows(row.column(align=True), ob, picked)
@@ -126,11 +126,11 @@ def lines(ob, depth, above):
             yield from lines(operand, depth + 1, (*above, operand))
 
 
-def draw_warnings(layout, ob, say):
+def draw_warnings(layout, ob, steps, say):
     """What keeps the tree from being what it says, each with what mends it."""
-    fast = any(step.solver == solvers.FAST for step in trees.booleans(ob))
-    parts = solvers.parts(ob)[:MOST_PARTS]
-    why = next(filter(None, (solvers.why_exact(ob, part, solvers.seems_closed) for part in parts)), "")
+    fast = any(step.solver == solvers.FAST for step in steps)
+    parts, mirrored = solvers.parts(ob)[:MOST_PARTS], ob.matrix_world.is_negative
+    why = next(filter(None, (solvers.why_exact(part, mirrored, solvers.seems_closed) for part in parts)), "")
     lacking = solvers.lacking()
     if why or lacking:
         say(layout, f"{why}." if why and not (lacking and fast) else lacking, "ERROR" if fast else "INFO")
@@ -139,14 +139,15 @@ def draw_warnings(layout, ob, say):
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
     if meeting or bool(why or lacking) == fast:
         layout.operator("object.sweep_tree_choose_solver")
-    if any(map(trees.is_lost, trees.booleans(ob))):
+    if any(map(trees.is_lost, steps)):
         say(layout, "An operand was deleted: its step does nothing.", "ERROR")
-    elsewhere = (operand for operand in trees.operands(ob) if ob not in operands.ancestors(operand))
+    held = filter(None, map(trees.operand_of, steps))
+    elsewhere = (operand for operand in held if operand.parent != ob and ob not in operands.ancestors(operand))
     shared = next(((operand, owner) for operand in elsewhere if (owner := owner_of(operand))), None)
     if shared:
         sentence = "{0.name!r} is an operand of {1.name!r} too: Duplicate copies operands."
         say(layout, sentence.format(*shared), "INFO")
-    if trees.others(ob) or any(step.operand_type != "OBJECT" for step in trees.booleans(ob)):
+    if trees.others(ob) or any(step.operand_type != "OBJECT" for step in steps):
         say(layout, "Modifiers that are no Booleans of an object are no part of the tree.", "INFO")
 
 

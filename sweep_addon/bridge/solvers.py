@@ -44,18 +44,28 @@ def why_not_fast(ob):
     """Why the manifold solver cannot be used for a tree, as a sentence; nothing where it can."""
     if not has_fast():
         return f"{MISSING} The exact one is used, which is slower."
+    mirrored = ob.matrix_world.is_negative
     for each in parts(ob):
-        why = why_exact(ob, each, is_closed)
+        why = why_exact(each, mirrored, is_closed)
         if why:
             return f"{why}: the exact solver is used, which is slower."
     return ""
 
 
-def why_exact(ob, part, closed):
-    """Why a part of a tree needs the exact solver, or nothing; how well is looked is up to a function of its mesh."""
+def why_exact(part, mirrored, closed):
+    """Why a part of a tree needs the exact solver, or nothing.
+
+    Parameters
+    ----------
+    part : bpy.types.Object
+    mirrored : bool
+        Whether the result's axes are left-handed, by the matrices that were last evaluated.
+    closed : callable
+        `is_closed`, or `seems_closed` where there is no time.
+    """
     if not closed(mesh_of(part)):
         return f"{part.name!r} is not closed and manifold"
-    if is_mirrored(ob, part):
+    if part.matrix_world.is_negative != mirrored:
         return f"{part.name!r} is mirrored, which the manifold solver turns inside out"
     return ""
 
@@ -94,20 +104,14 @@ def has_fast():
         bpy.data.batch_remove([*made, *(ob.data for ob in made)])
 
 
-def is_mirrored(ob, other):
-    """Whether another object is a mirror image in the space of an object, by the matrices that were last evaluated."""
-    return ob.matrix_world.is_negative != other.matrix_world.is_negative
-
-
 def parts(ob):
     """The objects whose own meshes a tree is of: the result and its operands, and theirs."""
-    found, todo = [], [ob]
+    found, todo = {}, [ob]
     while todo:
-        other = todo.pop(0)
-        if other not in found:
-            found.append(other)
-            todo += trees.operands(other)
-    return found
+        new = [other for other in dict.fromkeys(todo) if other not in found]
+        found |= dict.fromkeys(new)
+        todo = [operand for other in new if other.modifiers for operand in trees.operands(other)]
+    return list(found)
 
 
 def mesh_of(ob):
@@ -165,7 +169,7 @@ def crosses(ob):
 
 def is_known_to_cross(ob):
     """The same as far as it has been looked for."""
-    sweep = ob.data.sweep if objects.is_sweep(ob) else None
-    if sweep is None or sweep.looked_at != sweep.made or PREFIX not in sweep.places:
+    sweep = ob.data.sweep
+    if PREFIX not in sweep.places or sweep.looked_at != sweep.made or not objects.is_sweep(ob):
         return False
     return not getattr(objects.group_of(ob.data)[1], "make_solid", False)
