@@ -38,12 +38,18 @@ def word(draw, parameters, depth=2, cut=False):
 
 
 @st.composite
-def grammars(draw, context=True, stochastic=True, cut=True):
-    """The text of a grammar whose words stay small for a few generations."""
-    lines, shared = [], set()
+def grammars(draw, context=True, stochastic=True, cut=True, axial=False):
+    """The text of a grammar whose words stay small for a few generations.
+
+    In an axial one successors keep a seen module on their axis, and ignored modules become ignored ones alone.
+    """
+    lines, shared, ignored = [], set(), ""
     if context:
-        lines.append(draw(st.sampled_from(["", "#ignore + -", "#ignore f +", "#consider A B C F"])))
-    lines.append(f"axiom: A{word(draw, formulas(['2'], stochastic), cut=cut)}B(1)")
+        ignoring = draw(st.sampled_from(["", "#ignore + -", "#ignore f +", "#consider A B C F"]))
+        ignored = ignoring.partition(" ")[2] if "ignore" in ignoring else "+-f%" * bool(ignoring)
+        lines.append(ignoring)
+    start = [word(draw, formulas(["2"], stochastic), cut=cut) for _ in range(3)]
+    lines.append(f"axiom: A{start[0]}F{start[1]}[A{start[2]}]B(1)")
     for _ in range(draw(st.integers(1, 6))):
         fresh = iter("pqrstuvwxyz")
 
@@ -52,12 +58,13 @@ def grammars(draw, context=True, stochastic=True, cut=True):
             return f"{letter}({','.join(names)})" if names else letter
 
         sides, known = ["", "", ""], []
-        sides[1] = named(draw, draw(st.sampled_from(LETTERS)))
-        if context and draw(st.booleans()):
+        strict = draw(st.sampled_from(LETTERS))
+        sides[1], sees = named(draw, strict), context and not (axial and strict in ignored)
+        if sees and draw(st.booleans()):
             sides[0] = letters(draw, LETTERS, draw(st.integers(1, 2)), named)
-        if context and draw(st.booleans()):
+        if sees and draw(st.booleans()):
             sides[2] = letters(draw, LETTERS, draw(st.integers(0, 1)), named)
-            for _ in range(draw(st.integers(0, 2))):
+            for _ in range(draw(st.integers(0, 0 if axial else 2))):
                 sides[2] += f"[{letters(draw, LETTERS, 1, named)}]"
             sides[2] += letters(draw, LETTERS, draw(st.integers(0 if sides[2] else 1, 1)), named)
         known = sorted({letter for side in sides for letter in side if letter in "pqrstuvwxyz"}) or ["3"]
@@ -65,7 +72,12 @@ def grammars(draw, context=True, stochastic=True, cut=True):
         if draw(st.booleans()):
             conditions = CONDITIONS if stochastic else CONDITIONS[:3]
             head += f" : {draw(st.sampled_from(conditions)).format(draw(st.sampled_from(known)))}"
-        made = [word(draw, formulas(known, stochastic), 1, cut) or "*" for _ in range(2)]
+        made = [word(draw, formulas(known, stochastic), 1, cut) for _ in range(2)]
+        if axial and strict in ignored:
+            made = [letters(draw, [strict], len(one) % 3, formulas(known, stochastic)) for one in made]
+        elif axial:
+            made = [f"{one}A{draw(st.sampled_from(['', '[F]']))}" for one in made]
+        made = [one or "*" for one in made]
         if stochastic and head not in shared and draw(st.booleans()):
             shared.add(head)
             lines += [f"{head} -(0.4)-> {made[0]}", f"{head} -(0.35)-> {made[1]}"]

@@ -9,6 +9,7 @@ from hypothesis import example, given, settings
 from sequential_deriver import text
 
 from sweep_addon.core.grammars import Budget, LSystem
+from sweep_addon.core.grammars.derivation import strategy
 from sweep_addon.core.parameters import ShapeError
 
 SMALL = Budget(modules=2000)
@@ -35,6 +36,14 @@ def same_words(told, seed):
 @example("axiom: A[B%C[D]E]F%G\nB -> BB\nC < D -> %")
 def test_any_grammar_derives_the_words_of_the_reference(told):
     same_words(told, seed=3)
+
+
+@settings(max_examples=300)
+@given(grammars(cut=False, axial=True))
+@example("#ignore + -\naxiom: FAB[A]F\nA < B > F -> [C]AB[F]F\nF < A -> AA\nA > B -> BA\n+ -> -+\nB > F : 1 -> F[B]FB")
+def test_grammars_whose_axes_stay_are_derived_by_links_as_by_the_reference(told):
+    assert strategy(LSystem.parse(told).compiled) in ("pool", "forest", "doubling")
+    same_words(told, seed=6)
 
 
 @given(grammars(context=False))

@@ -67,6 +67,8 @@ class Branches:
         (b + 2,) int array
             At its end how many items there are.
         """
+        if not len(self.brackets):
+            return np.array([0, np.count_nonzero(chosen)])
         counted = np.cumsum(chosen, dtype=np.int32)
         total = counted[-1:] if len(counted) else np.zeros(1, dtype=np.int32)
         return np.concatenate((np.zeros(1, dtype=np.int32), counted[self.brackets], total)).astype(np.intp)
@@ -92,6 +94,10 @@ class Branches:
         -----
         Where a branch ends the sum of its own stretches is taken off again; those within it have done so before.
         """
+        if not len(self.brackets):
+            before = np.zeros(len(values) + 1, dtype=values.dtype)
+            after = np.cumsum(values, out=before[1:])
+            return before[:-1], after
         filled = np.flatnonzero(first[1:] > first[:-1])
         of_stretch = np.zeros(len(first) - 1, dtype=values.dtype)
         if len(filled):
@@ -113,6 +119,8 @@ class Branches:
         steps : (n,) int8 array
             0 at brackets.
         """
+        if not len(self.brackets):
+            return np.cumsum(steps, dtype=np.int32)
         ends = np.concatenate(([0], self.brackets))
         own = np.add.reduceat(steps, ends, dtype=np.int32) if len(steps) else np.zeros(1, dtype=np.int32)
         own = np.add.reduceat(own[self.order], self.starts)[1:]

@@ -2,18 +2,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Derivations: how a system gets from its axiom to a word, by the fastest way that its productions allow."""
 
+from collections import deque
 from functools import partial
 from operator import index
 
 import numpy as np
 
 from ..parameters import require
-from . import doubling, layout
+from . import doubling, layout, pool
 from .budget import Budget, Meter
 from .directives import LARGEST_SEED, MOST_GENERATIONS
 from .draws import root
 from .forest import Forest
 from .growth import foretold
+from .pool import Pool
 from .reading import DEPTH
 from .stepping import State, first, step
 from .word import Word
@@ -23,6 +25,7 @@ LEVELS = 512  # moments in each step
 WAYS = {
     "doubling": "words are copied together from the words of their successors",
     "forest": "modules grow as a forest that is laid out once",
+    "pool": "modules know their neighbours in a pool, and are laid out once",
     "in order": "all modules of a word at once, step by step",
 }
 
@@ -42,10 +45,13 @@ def derived(system, generations, seed, budget, progress):
         meter.tick(generations)
         state = State(symbols, [], None, lambda: doubling.births(tables, generations))
     elif strategy(tables) == "forest":
-        *_, forest = forests(tables, generations, seed, meter)
-        state = layout.word(forest)
+        (forest,) = deque(grown(Forest, tables, generations, seed, meter), maxlen=1)
+        state = layout.word(forest, lambda: layout.births(forest))
+    elif strategy(tables) == "pool":
+        (linked,) = deque(grown(Pool, tables, generations, seed, meter), maxlen=1)
+        state = layout.word(linked, lambda: in_order(tables, generations, seed, meter).births)
     else:
-        *_, state = states(tables, generations, seed, meter)
+        state = in_order(tables, generations, seed, meter)
     return Word(tables, state, generations, seed)
 
 
@@ -65,18 +71,24 @@ def strategy(tables):
         return "doubling"
     every = (tables.common, *tables.groups.values())
     alone = not tables.decomposition and tables.cut is None and not any(rules.context for rules in every)
-    return "forest" if alone else "in order"
+    return "forest" if alone else "pool" if pool.suits(tables) else "in order"
 
 
-def forests(tables, generations, seed, meter):
-    """The forest of all generations, one that grows."""
-    forest = Forest(tables, seed, meter)
-    meter.room(forest.total, 0)
-    yield forest
+def grown(kind, tables, generations, seed, meter):
+    """The forest or the pool of all generations: one that grows."""
+    growth = kind(tables, seed, meter)
+    meter.room(growth.total, 0)
+    yield growth
     for generation in range(1, generations + 1):
-        forest.step(tables.of_step(generation), generation, generation * LEVELS)
+        growth.step(tables.of_step(generation), generation, generation * LEVELS)
         meter.tick(generation)
-        yield forest
+        yield growth
+
+
+def in_order(tables, generations, seed, meter):
+    """The last word, step by step."""
+    (state,) = deque(states(tables, generations, seed, meter), maxlen=1)
+    return state
 
 
 def states(tables, generations, seed, meter):
@@ -104,7 +116,8 @@ def sizes(system, generations, seed, budget, progress):
     seed = whole(seed, LARGEST_SEED, "seed")
     if strategy(tables) == "in order":
         return [len(state) for state in states(tables, generations, seed, meter)]
-    return [forest.total for forest in forests(tables, generations, seed, meter)]
+    kind = Forest if strategy(tables) == "forest" else Pool
+    return [growth.total for growth in grown(kind, tables, generations, seed, meter)]
 
 
 def decomposed(state, tables, generation, meter):

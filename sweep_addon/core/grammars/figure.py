@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from . import turns
-from .filling import organs, polygons
+from .filling import organs, polygons, position
 
 THINNER = 0.5**0.5  # what a diameter is multiplied by where none is said: two such branches are as thick as one before
 
@@ -21,8 +21,6 @@ class Figure:
         The ends of each segment, in metres.
     place : (n,) int array
         The module of each segment in the word that was interpreted.
-    at : (3,) float array
-        Where the turtle is at the end, in metres.
 
     Examples
     --------
@@ -34,8 +32,8 @@ class Figure:
     ([0.1, 0.05, 0.1], [-1, 0, 0], [0, 1, 0])
     """
 
-    def __init__(self, walk, start, end, at, orientations):
-        self.walk, self.at, self.orientations = walk, at, orientations
+    def __init__(self, walk, start, end, orientations):
+        self.walk, self.orientations = walk, orientations
         self.moves_start, self.moves_end = start, end
         self.drawn = walk.is_drawn
         whole = self.drawn.all()
@@ -44,6 +42,11 @@ class Figure:
 
     def __len__(self):
         return len(self.start)
+
+    @cached_property
+    def at(self):
+        """(3,) float array: where the turtle is at the end, in metres."""
+        return position(self.walk, np.array([len(self.walk.symbols)]), self.moves_end)[0]
 
     @cached_property
     def axes(self):

@@ -35,6 +35,20 @@ class Batch:
     def __init__(self, template, chunk, step):
         self.template, self.chunk, self.step, self.values, self.children = template, chunk, step, {}, {}
 
+    inherits = False
+
+    @property
+    def nodes(self):
+        return self.chunk.nodes
+
+    @property
+    def size(self):
+        return self.chunk.size
+
+    @property
+    def keys(self):
+        return self.chunk.keys
+
     def evaluate(self, moment):
         """Find the parameters of what replaces the modules."""
         template, known = self.template, {}
@@ -62,12 +76,18 @@ class Forest:
     def __init__(self, tables, seed, meter):
         self.tables, self.meter = tables, meter
         self.arity = [count for _, count in tables.symbols]
-        every = (tables.common, *tables.groups.values())
-        self.lives = {symbol for rules in every for symbol in rules.choices}
+        self.lives = tables.lives
         self.population = {symbol: [] for symbol in self.lives}
         self.batches, self.nodes, self.total = [], 1, len(tables.axiom.symbols)
         axiom = Batch(tables.axiom, Chunk(slice(0, 1), 1, [], 0, root(seed) if tables.random else None), 0)
         self.grow([axiom], 0)
+
+    root = 0
+
+    def living(self):
+        """Modules that live, by their kinds: their numbers, parameters and keys."""
+        for symbol, chunks in self.population.items():
+            yield from ((symbol, chunk.nodes, chunk.columns, chunk.keys) for chunk in chunks)
 
     def step(self, rules, generation, moment):
         """Replace all modules that live."""

@@ -64,30 +64,52 @@ def taken(state, rules, moment, links):
     for symbol, choices in rules.choices.items():
         wanted = state.symbols == symbol
         waiting = np.flatnonzero(wanted if state.fresh is None else wanted & state.fresh)
-        for choice in choices:
-            if not waiting.size:
-                break
-            site = Site(state, [waiting], moment)
-            matches = matched(site, choice, links)
-            if matches is not None:
-                site = site.keep(matches)
-                still = np.ones(len(waiting), dtype=bool)
-                still[matches] = False
-                waiting = waiting[still]
-            else:
-                waiting = waiting[:0]
-            if choice.nodes:
-                site = with_context(site, choice, links)
-            yield from shared(site, choice)
+        yield from tried(state, waiting, [(choice, False) for choice in choices], moment, links)
 
 
-def matched(site, choice, links):
+def tried(state, waiting, choices, moment, links):
+    """The productions that modules take, of some in their order.
+
+    Parameters
+    ----------
+    state : State or Pool
+    waiting : (m,) int array
+        The places of the modules.
+    choices : list of (Choice, bool)
+        What they may take, and whether their contexts are known to match.
+    moment : int
+    links : Neighbours, Pool or None
+
+    Yields
+    ------
+    Template
+    Site
+        The modules that it replaces.
+    """
+    for choice, known in choices:
+        if not waiting.size:
+            return
+        site = Site(state, [waiting], moment)
+        matches = matched(site, choice, links, known)
+        if matches is None:
+            waiting = waiting[:0]
+        else:
+            site = site.keep(matches)
+            still = np.ones(len(waiting), dtype=bool)
+            still[matches] = False
+            waiting = waiting[still]
+        if choice.nodes:
+            site = with_context(site, choice, links)
+        yield from shared(site, choice)
+
+
+def matched(site, choice, links, known):
     """Which modules of a site match context and condition; None for all of them."""
     found = None
-    if choice.nodes:
+    if choice.nodes and not known:
         found = context(site, choice, links)
-        site = with_context(site.keep(found), choice, links)
     if choice.condition is not None and (found is None or found.size):
+        site = with_context(site if found is None else site.keep(found), choice, links)
         holds = finite(site.values(choice.condition, choice.sources), choice.productions[0], "the condition") != 0
         holds = np.flatnonzero(np.broadcast_to(holds, site.rows[0].shape))
         found = holds if found is None else found[holds]

@@ -20,6 +20,8 @@ class Tables:
     ----------
     symbols : list of (str, int)
         Name and number of parameters of each module, by its number.
+    lives : set of int
+        Modules that a production replaces.
     kind : (s + 1,) uint8 array
         What each is to contexts; the last is no module.
     productions : dict of int to Rules
@@ -43,6 +45,7 @@ class Tables:
         self.common = Rules(system.productions, self)
         self.decomposition = Rules(system.decomposition, self)
         self.homomorphism = Rules(system.homomorphism, self)
+        self.lives = {symbol for rules in (self.common, *self.groups.values()) for symbol in rules.choices}
         self.columns = max((count for _, count in self.symbols), default=0)
         self.dtype = np.uint8 if len(self.symbols) < 255 else np.uint16
         self.kind = self.kinds(sections)

@@ -14,7 +14,6 @@ import numpy as np
 from . import turns
 from .branches import Branches
 from .figure import Figure
-from .filling import position
 from .modules import CLOSE, OPEN
 from .plane import Plane
 from .tokens import LEVELS, SPATIAL, Tokens
@@ -69,8 +68,9 @@ class Walk:
 
     def parameter(self, places, default):
         """(n,) float array, or one number for all: the first parameter of modules, or the default where none is."""
-        counts = np.array([count > 0 for _, count in self.word.tables.symbols] or [False])
-        given = counts[self.symbols[places]] if counts.any() else counts[:0]
+        if not self.word.columns:
+            return default
+        given = np.array([count > 0 for _, count in self.word.tables.symbols])[self.symbols[places]]
         if not given.any():
             return default
         return np.where(given, self.word.columns[0][places], default)
@@ -93,8 +93,7 @@ class Walk:
             def found():
                 return pair
 
-        (at,) = position(self, np.array([len(self.symbols)]), end)
-        return Figure(self, start, end, at, found)
+        return Figure(self, start, end, found)
 
     @property
     def bends(self):
