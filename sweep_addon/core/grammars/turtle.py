@@ -81,19 +81,33 @@ class Walk:
         length = self.parameter(self.moves, self.system.step)
         if not self.spatial and self.start == ALONG_X:
             plane = Plane(self)
-            before, after = self.branches.sums(plane.directions() * length, first)
-            start, end = (np.column_stack((x.real, x.imag, np.zeros(len(x)))) for x in (before, after))
+            ways = self.branches.sums(plane.directions() * length, first)
+            start, end = self.points([[way.real, way.imag] for way in ways])
             found = plane.quaternions
         else:
             pair = Tokens(self).orientations()
             x, yz = turns.heading(*pair)
             (x, x_end), (yz, yz_end) = (self.branches.sums(way * length, first) for way in (x, yz))
-            start, end = np.column_stack((x, yz.real, yz.imag)), np.column_stack((x_end, yz_end.real, yz_end.imag))
+            start, end = self.points([[x, yz.real, yz.imag], [x_end, yz_end.real, yz_end.imag]])
 
             def found():
                 return pair
 
         return Figure(self, start, end, found)
+
+    def points(self, columns):
+        """Two (n, 3) float arrays of columns; without branches each move begins in memory where the last one ends."""
+        count = len(self.moves)
+        if len(self.branches.brackets) or not count:
+            made = np.zeros((2, count, 3))
+            for points, ways in zip(made, columns, strict=True):
+                for column, way in enumerate(ways):
+                    points[:, column] = way
+            return made
+        made = np.zeros((count + 1, 3))
+        for column, way in enumerate(columns[1]):
+            made[1:, column] = way
+        return made[:-1], made[1:]
 
     @property
     def bends(self):
