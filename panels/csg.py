@@ -13,7 +13,7 @@ declared_layout, objects = later("bridge.layout"), later("bridge.objects")
 operands, solvers, trees = later("bridge.operands"), later("bridge.solvers"), later("bridge.trees")
 
 LOOKED_AT = 100  # selected objects, for a second mesh among them: a draw takes no longer however many there are
-MOST_ROWS = 16
+MOST_ROWS = 10
 MOST_PARTS = 100  # that are looked at in a draw
 ICONS = {"UNION": "SELECT_EXTEND", "INTERSECT": "SELECT_INTERSECT", "DIFFERENCE": "SELECT_SUBTRACT"}
 
@@ -68,8 +68,9 @@ def draw_tree(layout, context, ob):
     """What the tree is, what is wrong with it, its steps, and the parameters of the operand that is picked."""
     say = sentences(context)
     steps = trees.booleans(ob)
-    layout.label(text=summary(steps))
-    draw_warnings(layout, ob, steps, say)
+    used = {step.solver for step in steps}
+    layout.label(text=summary(len(steps), used))
+    draw_warnings(layout, ob, steps, used, say)
     picked = trees.picked(ob)
     row = layout.row()
     draw_rows(row.column(align=True), ob, picked)
@@ -110,10 +111,9 @@ def name_step(button, active, owner, modifier, depth=0):
         button.owner = owner.name
 
 
-def summary(steps):
+def summary(count, used):
     """How many operands there are, and which solver computes the steps."""
-    count, used = len(steps), {step.solver for step in steps}
-    solver = solvers.NAMES[used.pop()] + " solver" if len(used) == 1 else "several solvers"
+    solver = solvers.NAMES[min(used)] + " solver" if len(used) == 1 else "several solvers"
     return f"{count} operand{'' if count == 1 else 's'}, {solver}"
 
 
@@ -122,13 +122,13 @@ def lines(ob, depth, above):
     for modifier in trees.booleans(ob):
         yield ob, modifier, depth
         operand = trees.operand_of(modifier)
-        if operand and operand not in above:
+        if operand and operand.modifiers and operand not in above:
             yield from lines(operand, depth + 1, (*above, operand))
 
 
-def draw_warnings(layout, ob, steps, say):
+def draw_warnings(layout, ob, steps, used, say):
     """What keeps the tree from being what it says, each with what mends it."""
-    fast = any(step.solver == solvers.FAST for step in steps)
+    fast, held = solvers.FAST in used, [trees.operand_of(step) for step in steps]
     parts, mirrored = solvers.parts(ob)[:MOST_PARTS], ob.matrix_world.is_negative
     why = next(filter(None, (solvers.why_exact(part, mirrored, solvers.seems_closed) for part in parts)), "")
     lacking = solvers.lacking()
@@ -139,15 +139,16 @@ def draw_warnings(layout, ob, steps, say):
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
     if meeting or bool(why or lacking) == fast:
         layout.operator("object.sweep_tree_choose_solver")
-    if any(map(trees.is_lost, steps)):
+    lost = [trees.is_lost(step) for step, operand in zip(steps, held, strict=True) if operand is None]
+    if any(lost):
         say(layout, "An operand was deleted: its step does nothing.", "ERROR")
-    held = filter(None, map(trees.operand_of, steps))
-    elsewhere = (operand for operand in held if operand.parent != ob and ob not in operands.ancestors(operand))
+    moved = (operand for operand in held if operand and operand.parent != ob)
+    elsewhere = (operand for operand in moved if ob not in operands.ancestors(operand))
     shared = next(((operand, owner) for operand in elsewhere if (owner := owner_of(operand))), None)
     if shared:
         sentence = "{0.name!r} is an operand of {1.name!r} too: Duplicate copies operands."
         say(layout, sentence.format(*shared), "INFO")
-    if trees.others(ob) or any(step.operand_type != "OBJECT" for step in steps):
+    if trees.others(ob) or not all(lost):  # some take a collection
         say(layout, "Modifiers that are no Booleans of an object are no part of the tree.", "INFO")
 
 
