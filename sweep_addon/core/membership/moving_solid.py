@@ -24,6 +24,7 @@ LOOKED = 65
 POSES = 32  # at least, that are looked at for all points
 SHORTEST = 1e-3  # of the way: what is left of it when it is not halved any more, but searched
 HALVED = 32.0  # tolerances: what the solid moves in less is halved on
+DEEP = 1e-3  # of the size
 STEPS = 24  # of that search
 ROOM = 1.1  # of what changes, for what changes faster between places that were looked at
 SAME = 1e-7  # of the size: motions that differ by more jump or turn at once
@@ -90,31 +91,35 @@ class MovingSolid:
 
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""
-        distance = self.least(points, tolerance, 1.0)
+        distance = self.least(points, tolerance, 1.0, tolerance)
         return np.where(np.abs(distance) <= tolerance, ON, np.where(distance < 0, IN, OUT)).astype(np.int8)
 
     def distance(self, points):
         """How far points (n, 3) are from all poses, or less, negative where they have been visited, or less deep: (n,).
 
-        Twice the speed is assumed, so that no pose between those looked at is nearer than half as far.
+        Twice the speed is assumed, so that no pose between those looked at is nearer than half as far. What is found
+        to be deep is not searched for what is deeper.
         """
-        least = self.least(points, 0.0, 2.0)
+        least = self.least(points, 0.0, 2.0, DEEP * self.size)
         return np.where(least > 0, least / 2, least)
 
-    def least(self, points, tolerance, caution):
-        """The least distance of points (n, 3) from the poses looked at, found to a tolerance where it is 0: (n,)."""
+    def least(self, points, tolerance, caution, enough):
+        """The least distance of points (n, 3) from the poses looked at, found to a tolerance where it is 0: (n,).
+
+        Deeper than enough none is searched for.
+        """
         found = np.empty(len(points))
         for start in range(0, len(points), CHUNK):
             some = slice(start, start + CHUNK)
-            found[some] = self.followed(points[some] - self.middle, tolerance, caution)
+            found[some] = self.followed(points[some] - self.middle, tolerance, caution, enough)
         return found
 
-    def followed(self, places, tolerance, caution):
+    def followed(self, places, tolerance, caution, enough):
         """The same for so few places about the middle that all fit into a processor's cache."""
         least = np.full(len(places), np.inf)
-        gaps = self.left_open(places, tolerance, caution, least)
+        gaps = self.left_open(places, caution, enough, least)
         while len(gaps[0]):
-            point, low, high, speed = (part[least[gaps[0]] >= -tolerance] for part in gaps)
+            point, low, high, speed = (part[least[gaps[0]] >= -enough] for part in gaps)
             length, middle = high - low, (low + high) / 2
             short = length <= SHORTEST * self.total
             short &= speed * length > HALVED * tolerance
@@ -132,7 +137,7 @@ class MovingSolid:
             gaps = [np.tile(point[open_], 2), *gaps, np.tile(speed[open_], 2)]
         return least
 
-    def left_open(self, places, tolerance, caution, least):
+    def left_open(self, places, caution, enough, least):
         """What the poses leave open of the ways of places: their numbers, from where, to where, and how fast they move.
 
         At a pose a place moves at a known speed v, which changes by no more than its bend b: within a step h it goes
@@ -143,9 +148,9 @@ class MovingSolid:
         for s, first, motion, rate in self.poses:
             if first:
                 until[:] = s
-                asked = np.flatnonzero(least >= -tolerance)
+                asked = np.flatnonzero(least >= -enough)
             else:
-                asked = np.flatnonzero((until < s) & (least >= -tolerance))
+                asked = np.flatnonzero((until < s) & (least >= -enough))
             matrix, change = motion[:9].reshape(3, 3), rate[:9].reshape(3, 3)
             some = places[asked]
             distance = self.solid.distance(some @ matrix.T + motion[9:])
