@@ -63,13 +63,16 @@ def rewritten(system, word, at, step):
             return list(children(rule.successor, values, key, step))
         drawn, total = even(key, step, 0), 0.0
         for other in rules:  # those with the same head share the chance
-            same = (other.predecessor, other.left, other.right, str(other.condition and other.condition.text))
-            if same == (rule.predecessor, rule.left, rule.right, str(rule.condition and rule.condition.text)):
+            if other.probability and head(other) == head(rule):
                 total += other.chance
                 if drawn < total:
                     return list(children(other.successor, values, key, step))
         return [word[at]]
     return [word[at]]
+
+
+def head(rule):
+    return rule.predecessor, rule.left, rule.right, rule.condition and rule.condition.text
 
 
 def matched(system, rule, word, at, step):

@@ -5,7 +5,7 @@
 import pytest
 import sequential_deriver
 from grammar_inputs import grammars
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from sequential_deriver import text
 
 from sweep_addon.core.grammars import Budget, LSystem
@@ -30,7 +30,6 @@ def same_words(told, seed):
 
 
 @given(grammars())
-@settings(max_examples=300)
 @example("axiom: ABC[DE][SG[HI[JK]L]MNO]\nBC < S > G[H]M -> T")
 @example("axiom: A[[B]C[D]]E\nA < B -> X\nA < D -> Y\nA < E -> Z\nA > [C] -> Q")
 @example("axiom: A[B%C[D]E]F%G\nB -> BB\nC < D -> %")
@@ -38,7 +37,6 @@ def test_any_grammar_derives_the_words_of_the_reference(told):
     same_words(told, seed=3)
 
 
-@settings(max_examples=300)
 @given(grammars(cut=False, axial=True))
 @example("#ignore + -\naxiom: FAB[A]F\nA < B > F -> [C]AB[F]F\nF < A -> AA\nA > B -> BA\n+ -> -+\nB > F : 1 -> F[B]FB")
 def test_grammars_whose_axes_stay_are_derived_by_links_as_by_the_reference(told):
@@ -127,3 +125,63 @@ def test_random_numbers_have_their_distribution(told, mean, spread):
     assert len(values) == 2**14
     assert abs(values.mean() - mean) < 4 * spread / 2**7
     assert values.std() == abs(values.std()) and abs(values.std() / spread - 1) < 0.03
+
+
+class StoppedError(Exception):
+    """What a progress raises to stop."""
+
+
+@pytest.mark.parametrize(
+    "told",
+    ["axiom: A(1)\nA(x) -> F A(x+1)", "axiom: A B\nA < B -> A B", "axiom: A\nA -> FA\ndecomposition:\nF -> GG"],
+    ids=["forest", "pool", "in order"],
+)
+def test_progress_rises_and_may_stop_a_derivation(told):
+    parts = []
+    system = LSystem.parse(told)
+    system.derive(20, progress=parts.append)
+    assert parts == sorted(parts) and parts[-1] == 1 and len(set(parts)) == 20
+
+    def stop(part):
+        if part > 0.5:
+            raise StoppedError
+
+    with pytest.raises(StoppedError):
+        system.derive(20, progress=stop)
+
+
+@pytest.mark.parametrize(
+    ("told", "budget", "sentence"),
+    [
+        ("axiom: A\nA -> AA", Budget(modules=100), "at most 100 modules, but 10 make 1,024"),
+        ("axiom: A(1)\nA(x) : x -> A(x)A(x)", Budget(modules=100), "at most 100 modules, but generation 7 has 128"),
+        ("axiom: A\nB < A -> A\nA -> AA", Budget(modules=100), "at most 100 modules, but generation 7 has 128"),
+        ("axiom: A(1)\nA(x) -> A(x)A(x)", Budget(bytes=1000), "at most 1,000 bytes, but 10 make 9,216"),
+        ("axiom: A(1)\nA(x) -> A(x+1)", Budget(seconds=0), "at most 0 seconds, but generation 1 of 10 took longer"),
+        ("axiom: A\nA -> B\ndecomposition:\nB -> BB", Budget(modules=100), "but generation 1 has 128"),
+        ("axiom: A\nA -> B\ndecomposition:\nB -> C\nC -> B", Budget(), "must end within 100 levels"),
+    ],
+)
+def test_what_is_over_the_budget_is_refused(told, budget, sentence):
+    with pytest.raises(ShapeError, match=sentence):
+        LSystem.parse(told).derive(10, budget=budget)
+
+
+@pytest.mark.parametrize("generations", [-1, 1.5, "3", 10**7])
+def test_only_whole_numbers_of_generations_are_taken(generations):
+    with pytest.raises(ShapeError, match="generations: must be a whole number from 0 to 1,000,000"):
+        LSystem.parse("axiom: A").derive(generations)
+
+
+@pytest.mark.parametrize(
+    ("told", "sizes"),
+    [
+        ("axiom: A\nA -> AB\nB -> A", [1, 2, 3, 5, 8, 13]),
+        ("axiom: A(2)\nA(x) : x > 0 -> A(x-1)A(x-1)", [1, 2, 4, 4, 4, 4]),
+        ("axiom: AB\nA < B -> BB\nB -> A", [2, 3, 4, 5, 6, 7]),
+    ],
+)
+def test_sizes_are_those_of_the_words(told, sizes):
+    system = LSystem.parse(told)
+    assert system.sizes(5) == [len(system.derive(n)) for n in range(6)]
+    assert system.sizes(5) == sizes

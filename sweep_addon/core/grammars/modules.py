@@ -6,6 +6,8 @@ Blanks never matter. What is no name of several letters is a module of one.
 """
 
 import re
+from math import isfinite
+from typing import NamedTuple
 
 from ..frozen import frozen
 from .passages import Passage, shown
@@ -13,7 +15,7 @@ from .vocabulary import draws, formula
 
 BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "?P", "?H", "?L", "?U", "?E")
 OPEN, CLOSE = "[", "]"
-NEVER = frozenset("(),<>*#:")  # characters that are part of the notation
+NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32
 NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
@@ -61,8 +63,7 @@ class Pattern:
         return f"{self.name}({','.join(self.parameters)})" if self.parameters else self.name
 
 
-@frozen
-class Letter:
+class Letter(NamedTuple):
     """A module as it stands in the text: its name, its place, and the passages of its parameters."""
 
     name: str
@@ -121,12 +122,17 @@ class Alphabet:
         """
         letters = self.letters(passage)
         paired(passage, letters)
-        made = []
+        made, plain = [], {}  # most modules of a long word have no parameters: those of a name are one
         for letter in letters:
+            if not letter.arguments:
+                made.append(plain.get(letter.name) or plain.setdefault(letter.name, Module(letter.name)))
+                continue
             parameters = []
             for argument in letter.arguments:
                 read = formula(argument, names, vocabulary, drawn)
                 drawn += draws(read.names)
+                if not read.names and not isfinite(read.run({})):
+                    argument.refuse("a finite number", 0, f"{read.run({}):g}")
                 parameters.append(read)
             made.append(Module(letter.name, tuple(parameters)))
         return tuple(made), drawn

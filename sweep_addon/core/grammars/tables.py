@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A system as tables: modules are numbers, productions lists of numbers and formulas."""
 
+from functools import cached_property
+
 import numpy as np
 
 from ..expressions import DRAW
@@ -174,7 +176,6 @@ class Template:
         Place, column and formula of the others.
     random : bool
         Whether formulas draw random numbers.
-    salts : (k,) uint64 array
     """
 
     def __init__(self, modules, tables, rule=None):
@@ -186,7 +187,11 @@ class Template:
         self.fixed = [(k, c, float(p.run({}))) for k, c, p in each if not p.names]
         self.formulas = [(k, c, p) for k, c, p in each if p.names]
         self.random = any(name.startswith(DRAW) for _, _, p in self.formulas for name in p.names)
-        self.salts = salts(self.names)
+
+    @cached_property
+    def salts(self):
+        """(k,) uint64 array: what makes keys of the modules at each place."""
+        return salts(self.names)
 
     def child_keys(self, keys, place):
         """(m,) uint64 array: the keys of the modules at a place, from those of the modules that they replace."""
