@@ -183,5 +183,39 @@ class LSystem:
         """
         return self.parse(str(self), values)
 
+    def with_production(self, head, function):
+        """The same system with one more production, behind the others, whose successor is a Python function.
+
+        Parameters
+        ----------
+        head : str
+            Predecessor, contexts and condition: ``A(x) < B(y) : x > y``.
+        function : callable
+            Takes the parameters of the head, each an array for all modules that are replaced, and returns a list of
+            modules: a name, or a tuple of a name and its parameters. The names and how many parameters there are may
+            not depend on the values.
+
+        Returns
+        -------
+        LSystem
+            It has no text: no file can hold a function.
+
+        Raises
+        ------
+        ShapeError
+            If the head is none, or the function returns no modules.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> system = LSystem.parse("axiom: A(1)A(4)")
+        >>> grown = system.with_production("A(x)", lambda x: [("F", np.sqrt(x)), "[", "+", ("A", x / 2), "]"])
+        >>> str(grown.derive(1))
+        'F(1)[+A(0.5)]F(2)[+A(2)]'
+        """
+        from .calls import with_production
+
+        return with_production(self, head, function)
+
     def __str__(self):
         return written(self)

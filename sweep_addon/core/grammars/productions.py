@@ -3,6 +3,7 @@
 """Productions as they are written: ``left < predecessor > right : condition -(probability)-> successor``."""
 
 import re
+from dataclasses import replace
 
 from ..expressions import Expression
 from ..frozen import frozen
@@ -79,9 +80,20 @@ def production(passage: Passage, alphabet: Alphabet, constants):
     >>> print(production(Passage("BC<S>G[H]M:1<2-(0.5)->T(1 + 1)", 1), Alphabet(), {}))
     BC < S > G[H]M : 1<2 -(0.5)-> T(1+1)
     """
-    at = arrow(passage)
-    chance, stop = probability(passage, at, constants)
-    head, successor = passage.part(0, stop), passage.part(at + len(ARROW))
+    rule, names = patterned(passage, alphabet, constants)
+    successor = passage.part(arrow(passage) + len(ARROW))
+    if not successor.text:
+        successor.refuse("a word, or * for the empty one")
+    if successor.text == EMPTY:
+        return rule
+    drawn = draws(rule.condition.names) if rule.condition else 0
+    return replace(rule, successor=alphabet.word(successor, names, words(constants), drawn)[0])
+
+
+def patterned(passage, alphabet, constants):
+    """A production without its successor, and the names of the parameters that this may use."""
+    chance, stop = probability(passage, arrow(passage), constants)
+    head = passage.part(0, stop)
     label = LABEL.match(head.text)
     if label and label.group(1) not in alphabet.names:
         head = head.part(label.end())
@@ -91,18 +103,13 @@ def production(passage: Passage, alphabet: Alphabet, constants):
     right = laterals(right, alphabet)
     strict = strict_predecessor(predecessor, alphabet)
     names = names_of([*left, strict, *right], head)
-    vocabulary, drawn = words(constants), 0
     if condition is not None:
-        condition = formula(condition, names, vocabulary)
-        drawn = draws(condition.names)
-    if not successor.text:
-        successor.refuse("a word, or * for the empty one")
-    made = () if successor.text == EMPTY else alphabet.word(successor, names, vocabulary, drawn)[0]
+        condition = formula(condition, names, words(constants))
     share = value(chance, words(constants, random=False)) if chance else 1.0
     if not 0 <= share <= 1:
         chance.refuse("a probability from 0 to 1", 0, f"{share:g}")
     said = formula(chance, (), words(constants, random=False)) if chance else None
-    return Production(strict, made, left, right, condition, said, share, passage.number)
+    return Production(strict, (), left, right, condition, said, share, passage.number), names
 
 
 def arrow(passage):

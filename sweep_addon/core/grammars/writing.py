@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The text of a system in the notation of the book; reading it gives the same system."""
 
+from ..parameters import require
 from .productions import told
 
 
@@ -16,6 +17,10 @@ def written(system):
     -------
     str
     """
+    every = (system.productions, system.decomposition, system.homomorphism, *(rules for _, rules in system.groups))
+    for rule in (rule for rules in every for rule in rules):
+        functions = [p for module in rule.successor for p in module.parameters if not hasattr(p, "evaluate")]
+        require(not functions, "has no text where a successor is a Python function", rule.predecessor, "productions")
     return "\n".join([*settings(system), f"axiom: {told(system.axiom)}", *sections(system), ""])
 
 

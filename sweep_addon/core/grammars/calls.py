@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Productions that are Python functions: they take arrays of parameters and return what modules become.
+
+No file can hold one; a program adds it to a system that was read.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..frozen import frozen
+from ..parameters import ShapeError, require
+from .modules import MOST_PARAMETERS, Alphabet, Letter, Module, paired
+from .passages import Passage, PassageError
+from .problems import GrammarError
+from .productions import EMPTY, patterned
+
+
+@frozen
+class Called:
+    """A parameter of a successor that a function computes; it stands where an `Expression` does.
+
+    Attributes
+    ----------
+    function : callable
+    place, column : int
+        Which parameter of which module of its result.
+    names : tuple of str
+        The names of what it takes, in order.
+    """
+
+    function: object
+    place: int
+    column: int
+    names: tuple
+
+    text = "?"
+
+    @property
+    def program(self):
+        return self.function, self.place, self.column
+
+    def run(self, values):
+        """The value for all modules at once."""
+        return listed(self.function(*(values[name] for name in self.names)))[self.place][1 + self.column]
+
+
+def listed(result):
+    """What a function returned, each module as a tuple of its name and its parameters."""
+    require(isinstance(result, (list, tuple)), "must return a list of modules", result, "function")
+    return [(module,) if isinstance(module, str) else tuple(module) for module in result]
+
+
+def with_production(system, head, function):
+    """A system with one more production; `LSystem.with_production` says of what."""
+    require(callable(function), "must be a function", function, "function")
+    require(isinstance(head, str), "must be text", head, "head")
+    constants = {constant.name: constant.value for constant in system.constants}
+    alphabet = Alphabet(system.names)
+    try:
+        rule, names = patterned(Passage(f"{head} -> {EMPTY}", 1), alphabet, constants)
+        made = listed(function(*(np.ones(1) for _ in names)))
+        successor = tuple(module(function, place, told, names, alphabet) for place, told in enumerate(made))
+        letters = [Letter(each.name, 0, ()) for each in successor]
+        paired(Passage("".join(each.name for each in successor), 1), letters)
+    except PassageError as wrong:
+        raise GrammarError([wrong.problem]) from None
+    return replace(system, productions=(*system.productions, replace(rule, successor=successor)))
+
+
+def module(function, place, told, names, alphabet):
+    """A module of a function's result, whose parameters are computed when it is asked for."""
+    name, *parameters = told
+    letters = alphabet.letters(Passage(name, 1)) if isinstance(name, str) else ()
+    require(len(letters) == 1 and not letters[0].arguments, "must return names of single modules", name, "function")
+    if len(parameters) > MOST_PARAMETERS:
+        raise ShapeError(f"must return at most {MOST_PARAMETERS} parameters, got {len(parameters)}", "function")
+    return Module(letters[0].name, tuple(Called(function, place, column, names) for column in range(len(parameters))))
