@@ -33,7 +33,11 @@ class File:
 
     file: str = parameter("", "Path of an .svg, .dxf, .gpx, .csv or .blend file, relative to the job")
     object: str = parameter("", "Name of the curve, text or mesh object in a .blend file")
-    scale: float = parameter(1.0, "Factor of its size, as 0.001 for a drawing in millimetres", above=0.0)
+    scale: float = parameter(
+        1.0,
+        "Factor of its size, as 0.001 for a drawing in millimetres; at 1 the own unit of a DXF drawing counts",
+        above=0.0,
+    )
     corner: Corner = parameter(Mitre(), "What becomes of the corners of a trajectory of straight legs")
 
 
@@ -143,7 +147,7 @@ def outline(reference, path):
             return contours.from_svg(path, scale=reference.scale)
     if kind == ".dxf":
         with keyed("file"):
-            return scaled(contours.from_dxf(path), reference.scale)
+            return contours.from_dxf(path, scale=0.0 if reference.scale == 1.0 else reference.scale)
     with opened(reference) as files:
         found = files.outline(path, reference.object)
     return scaled(found, reference.scale)

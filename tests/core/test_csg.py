@@ -27,6 +27,8 @@ def test_operators_make_steps_and_brackets_make_operands():
         ((BLOCK - ROD) & (TUBE | ROD), "(Block - Cylinder) & (GeneralizedCylinder | Cylinder)"),
         (sw.SweptSolid(BLOCK - ROD), "sweep(Block - Cylinder)"),
         (BLOCK - ROD.moved(x=1), "Block - Cylinder"),
+        (BLOCK - (sw.SweptSolid(ROD) - TUBE), "Block - (sweep(Cylinder) - GeneralizedCylinder)"),
+        (sw.Tree(BLOCK | ROD, [("difference", TUBE)]), "(Block | Cylinder) - GeneralizedCylinder"),
         (ROD | sw.SweptContour(sw.contours.Circle(0.1), sw.trajectories.Line()), "Cylinder | (Circle * Line)"),
     ],
 )
@@ -63,6 +65,14 @@ def test_the_mesh_has_the_volume_of_the_set(tree, volume):
     mesh = tree.mesh()
     assert mesh.volume() == pytest.approx(volume, rel=1e-12)
     assert not len(mesh.non_manifold_edges())
+
+
+def test_an_operand_that_a_tree_has_many_times_is_made_once():
+    """Twice as often at each level: four thousand times in all."""
+    tree = BLOCK
+    for level in range(12):
+        tree = sw.Tree(tree, [("union" if level % 2 else "intersection", tree)])
+    assert tree.mesh().volume() == pytest.approx(1.0, rel=1e-12)
 
 
 def test_a_mirrored_operand_is_outward():

@@ -85,9 +85,11 @@ def test_a_layer_may_be_chosen():
 
 
 def test_a_job_may_name_a_drawing(tmp_path):
-    (tmp_path / "plate.dxf").write_text(drawing(plate))
-    (tmp_path / "job.toml").write_text('kind = "translational-sweep"\ncontour = {file = "plate.dxf", scale = 2.0}\n')
-    assert sw.load(tmp_path / "job.toml").contour.area == pytest.approx(4 * (8 + pi / 4), rel=1e-12)
+    (tmp_path / "plate.dxf").write_text(drawing(plate, units=4))
+    for scale, size in ((1.0, 1e-3), (2.0, 2.0), (0.001, 1e-3)):
+        job = f'kind = "translational-sweep"\ncontour = {{file = "plate.dxf", scale = {scale}}}\n'
+        (tmp_path / "job.toml").write_text(job)
+        assert sw.load(tmp_path / "job.toml").contour.area == pytest.approx(size**2 * (8 + pi / 4), rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -102,6 +104,50 @@ def test_what_holds_no_outline_is_refused(text, sentence):
     with pytest.raises(sw.ShapeError) as refused:
         sw.contours.from_dxf(text)
     assert str(refused.value).startswith(sentence)
+
+
+def test_an_arc_all_round_is_a_circle():
+    assert sw.contours.from_dxf(drawing(lambda space: space.add_arc((0, 0), 2, 0, 360))).area == pytest.approx(4 * pi)
+
+
+def test_meshes_of_faces_are_left_out():
+    def draw(space):
+        plate(space)
+        space.add_polymesh((3, 3))
+        space.add_polyface().append_face([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
+
+    assert sw.contours.from_dxf(drawing(draw)).area == pytest.approx(8 + pi / 4, rel=1e-12)
+
+
+def test_blocks_in_blocks_are_not_drawn_for_ever():
+    """Each level draws the one below ten times: a hundred thousand circles of a file of a few kilobytes."""
+
+    def draw(space):
+        below = None
+        for level in range(5):
+            block = space.doc.blocks.new(f"level {level}")
+            for _ in range(10):
+                block.add_circle((0, 0), 1) if below is None else block.add_blockref(below, (0, 0))
+            below = block.name
+        space.add_blockref(below, (0, 0))
+
+    with pytest.raises(sw.ShapeError, match="must have at most 20,000 entities"):
+        sw.contours.from_dxf(drawing(draw))
+
+
+def test_thousands_of_lines_in_any_order_are_joined():
+    """Shuffled and turned round, the sides of a circle of 4,000 corners."""
+    angle = 2 * pi * np.arange(4000) / 4000
+    points = np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    random = np.random.default_rng(0)
+
+    def draw(space):
+        for k in random.permutation(4000):
+            space.add_line(*(points[[k, (k + 1) % 4000]][:: random.choice((1, -1))]))
+
+    outline = sw.contours.from_dxf(drawing(draw))
+    assert [len(loop) for loop in outline.loops] == [4000]
+    assert outline.area == pytest.approx(pi, rel=1e-5)
 
 
 @pytest.mark.parametrize("seed", range(20))

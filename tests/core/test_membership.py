@@ -406,6 +406,10 @@ def test_inverse_sweep_tells_all_planes_through_a_point():
         assert len(u) == np.count_nonzero(np.diff(np.sign(values)))
 
 
+def test_no_points_have_no_labels_and_no_images():
+    assert len(sw.classify(TORUS, np.empty((0, 3)))) == len(sw.inverse_sweep(TORUS, np.empty((0, 3))).u) == 0
+
+
 def test_the_slope_of_a_surface_counts_in_what_is_on():
     """Beside a cone of half a right angle a point is nearer to the surface than in the contour's plane."""
     steep = sw.GeneralizedCylinder(sw.contours.Circle(1.0), sw.trajectories.Line(), scale_x="1 - t", scale_y="1 - t")

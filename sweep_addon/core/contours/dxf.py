@@ -3,19 +3,22 @@
 """Contours from DXF drawings, their arcs kept as arcs."""
 
 from io import BytesIO
+from itertools import islice
 
 import numpy as np
 
 from ..documents import about, content
 from ..parameters import ShapeError
+from .joining_edges import closed_loops
 from .outline import Outline
 from .reading import argument, library
 
 LARGEST = 50_000_000  # bytes
 MARK = "SECTION"  # in every such text
 METRES = {1: 0.0254, 2: 0.3048, 3: 1609.344, 4: 0.001, 5: 0.01, 6: 1.0, 7: 1000.0, 8: 2.54e-8, 9: 2.54e-5, 10: 0.9144}
-METRES |= {11: 1e-10, 12: 1e-9, 13: 1e-6, 14: 0.1, 15: 10.0, 16: 100.0}  # of the units that $INSUNITS names
-SAME = 1e-6  # of the drawing's size: ends closer than this are joined
+METRES |= {11: 1e-10, 12: 1e-9, 13: 1e-6, 14: 0.1, 15: 10.0, 16: 100.0, 17: 1e9}  # of the units of $INSUNITS
+METRES |= {21: 1200 / 3937, 22: 100 / 3937, 23: 3600 / 3937, 24: 6336000 / 3937}  # as the survey of the USA has them
+MOST = 20_000  # entities, those of blocks in blocks each time they are drawn
 FLATTENED = 1e-3  # of a curve's size: its distance from chords, of one that is no arc
 DRAWN = {"LINE", "ARC", "CIRCLE", "LWPOLYLINE", "POLYLINE", "SPLINE", "ELLIPSE"}
 
@@ -58,9 +61,9 @@ def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
     layer = argument("layer", layer, str)
     data, subject = content(text_or_path, "DXF", MARK, LARGEST)
     with about(subject):
-        drawing, entities = read(data, layer)
+        drawing, chains = read(data, layer)
         scale = scale or METRES.get(drawing.header.get("$INSUNITS", 0), 1.0)
-        loops = closed_loops([edges for entity in entities for edges in edges_of(entity)])
+        loops = closed_loops(chains)
         if not loops:
             raise ShapeError("must have a closed loop, got none")
         points, bulges = ([scale * corners for corners, _ in loops], [bulge for _, bulge in loops])
@@ -72,18 +75,21 @@ def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
 
 
 def read(data, layer):
-    """The drawing in some bytes, and its entities that draw lines."""
+    """The drawing in some bytes, and the chains of edges that its entities draw."""
     library("ezdxf", "ezdxf")
     from ezdxf import recover
     from ezdxf.disassemble import recursive_decompose
 
     try:
         drawing, _ = recover.read(BytesIO(data))
-        entities = list(recursive_decompose(drawing.modelspace()))
+        entities = list(islice(recursive_decompose(drawing.modelspace()), MOST + 1))
+        wanted = [entity for entity in entities if entity.dxftype() in DRAWN and layer in ("", entity.dxf.layer)]
+        chains = [chain for entity in wanted[:MOST] for chain in edges_of(entity)]
     except Exception as error:  # the parser meets what is no DXF in ways of its own
-        raise ShapeError(f"must be DXF, got an error: {error}") from error
-    wanted = (entity for entity in entities if entity.dxftype() in DRAWN)
-    return drawing, [entity for entity in wanted if not layer or entity.dxf.layer == layer]
+        raise ShapeError(f"must be DXF, got an error: {' '.join(str(error).split())}") from error
+    if len(entities) > MOST:
+        raise ShapeError(f"must have at most {MOST:,} entities, those of blocks each time they are drawn, got more")
+    return drawing, chains
 
 
 def edges_of(entity):
@@ -91,7 +97,7 @@ def edges_of(entity):
     kind, dxf = entity.dxftype(), entity.dxf
     if kind == "LINE":
         yield np.array([[*flat(dxf.start), *flat(dxf.end), 0.0]])
-    elif kind == "CIRCLE":
+    elif kind == "CIRCLE" or kind == "ARC" and (dxf.end_angle - dxf.start_angle) % 360.0 == 0:
         (x, y), r = flat(entity.ocs().to_wcs(dxf.center)), dxf.radius
         yield np.array([[x - r, y, x + r, y, 1.0], [x + r, y, x - r, y, 1.0]])
     elif kind == "ARC":
@@ -100,7 +106,7 @@ def edges_of(entity):
         yield np.array([[*flat(entity.start_point), *flat(entity.end_point), bulge]])
     elif kind == "LWPOLYLINE" or kind == "POLYLINE" and entity.is_2d_polyline:
         yield from polyline(entity)
-    else:
+    elif kind != "POLYLINE" or entity.is_3d_polyline:  # no mesh of faces
         yield from curve(entity)
 
 
@@ -131,41 +137,3 @@ def curve(entity):
     size = float(np.hypot(*np.ptp(places, axis=0)))
     places = np.array([flat(point) for point in path.flattening(FLATTENED * max(size, 1e-9))])
     yield np.column_stack((places[:-1], places[1:], np.zeros(len(places) - 1)))
-
-
-def closed_loops(chains):
-    """The loops that chains of edges close, each corners (n, 2) and bulges (n,); what stays open is left out.
-
-    Where more than two ends meet, those are joined first that were drawn first.
-    """
-    chains = [chain for chain in chains if len(chain)]
-    if not chains:
-        return []
-    size = float(np.ptp(np.concatenate([chain[:, :4].reshape(-1, 2) for chain in chains]), axis=0).max())
-    cell = max(SAME * size, 1e-300)
-    loops, open_chains = [], []
-    for chain in chains:
-        (loops if same(chain[0, :2], chain[-1, 2:4], cell) and len(chain) > 1 else open_chains).append(chain)
-    while open_chains:
-        chain = open_chains.pop(0)
-        while not same(chain[0, :2], chain[-1, 2:4], cell):
-            found = next(((i, r) for i, other in enumerate(open_chains) for r in (False, True)
-                          if same(chain[-1, 2:4], other[-1, 2:4] if r else other[0, :2], cell)), None)  # fmt: skip
-            if not found:
-                break
-            other = open_chains.pop(found[0])
-            chain = np.concatenate((chain, backward(other) if found[1] else other))
-        else:
-            loops.append(chain)
-    lengths = [np.hypot(*(loop[:, 2:4] - loop[:, :2]).T) > cell for loop in loops]
-    loops = [loop[long] for loop, long in zip(loops, lengths, strict=True)]
-    return [(loop[:, :2], loop[:, 4]) for loop in loops if len(loop) > 2 or len(loop) == 2 and loop[:, 4].any()]
-
-
-def same(place, other, cell):
-    return bool(np.abs(place - other).max() <= cell)
-
-
-def backward(chain):
-    """A chain run from its end to its start."""
-    return np.column_stack((chain[::-1, 2:4], chain[::-1, :2], -chain[::-1, 4]))

@@ -49,11 +49,21 @@ def csg_to_sweep(tree):
     for leaf in (first, *others):
         require(isinstance(leaf, TranslationalSweep), "must be translational sweeps", type(leaf).__name__, "leaves")
         require(replace(leaf, contour=first.contour) == first, "must be extruded alike", "different ways", "leaves")
+    require(not first.is_drafted, "must be without a taper", "a draft", "leaves")
     mesh = tree.mesh()
     require(len(mesh.offsets) > 1, "must leave something", "nothing", "tree")
     loops = [points + shift(first, mesh) for points in base_loops(mesh)]
     tolerance = max(getattr(leaf.contour, "tolerance", 0.0) for leaf in (first, *others))
-    return replace(first, contour=recover_arcs(Outline(loops, tolerance=tolerance)))
+    outline = Outline(loops, tolerance=tolerance)
+    return replace(first, contour=recover_arcs(outline) if any(map(is_curved, (first, *others))) else outline)
+
+
+def is_curved(leaf):
+    """Whether the contour of a leaf has arcs or other curves."""
+    bulges = getattr(leaf.contour, "bulges", None)
+    if bulges is not None:
+        return any(np.any(bulge.values) for bulge in bulges)
+    return getattr(leaf.contour, "apexes", lambda: None)() is not None
 
 
 def leaves(tree):

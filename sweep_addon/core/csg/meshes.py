@@ -14,19 +14,24 @@ from .tree import Tree
 
 def evaluated(tree):
     """The boundary of a `Tree` as a closed `Mesh` of triangles."""
-    return mesh_of(body(tree))
+    return mesh_of(body(tree, {}))
 
 
-def body(operand):
-    """An operand in the form of manifold3d."""
-    if not isinstance(operand, Tree):
-        return body_of(closed_mesh(operand))
+def body(operand, made):
+    """An operand in the form of manifold3d; each object is made once, however often a tree has it."""
+    if id(operand) not in made:
+        made[id(operand)] = combination(operand, made) if isinstance(operand, Tree) else body_of(closed_mesh(operand))
+    return made[id(operand)]
+
+
+def combination(tree, made):
+    """A tree in the form of manifold3d."""
     with at("base"):
-        made = body(operand.base)
-    for number, step in enumerate(operand.steps, 1):
+        found = body(tree.base, made)
+    for number, step in enumerate(tree.steps, 1):
         with at(f"steps.{number}.operand"):
-            made = combined(spelled(step.operation), made, body(step.operand))
-    return made
+            found = combined(spelled(step.operation), found, body(step.operand, made))
+    return found
 
 
 def closed_mesh(operand):

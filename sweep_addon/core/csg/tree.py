@@ -84,7 +84,7 @@ class Tree(Operand):
         return self.mesh()
 
     def __str__(self):
-        line, before = told(self.base, nested=not isinstance(self.base, Tree)), None
+        line, before = told(self.base, nested=not isinstance(self.base, Tree)), last_sign(self.base)
         for step in self.steps:
             sign = SIGNS[spelled(step.operation)]
             line = f"({line})" if before not in (None, sign) else line
@@ -92,12 +92,18 @@ class Tree(Operand):
         return line
 
 
+def last_sign(operand):
+    """The sign of the last step of a tree, None where there is none."""
+    steps = operand.steps if isinstance(operand, Tree) else ()
+    return SIGNS[spelled(steps[-1].operation)] if steps else None
+
+
 def told(operand, nested=True):
     """An operand as the line of a tree names it, in brackets if it is an expression within another."""
     if type(operand).__str__ is object.__str__:
         return type(operand).__name__
-    line = str(operand)
-    return f"({line})" if nested and " " in line and not line.startswith("sweep(") else line
+    line, one = str(operand), type(operand).__name__ == "SweptSolid"
+    return f"({line})" if nested and " " in line and not one else line
 
 
 def combined(left, operation, right):
@@ -111,7 +117,7 @@ def depth(tree):
     level, deepest = [tree], 0
     while level and deepest <= DEEPEST:
         deepest += any(isinstance(node, Tree) for node in level)
-        level = [inner for node in level for inner in inside(node)]
+        level = list({id(inner): inner for node in level for inner in inside(node)}.values())
     return deepest
 
 

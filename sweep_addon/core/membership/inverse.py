@@ -84,7 +84,7 @@ def inverse_sweep(shape, points):
     whole = plane.panels.end.max() - plane.panels.start.min()
     smooth = np.flatnonzero(plane.panels.end > plane.panels.start)  # what goes on beyond a corner is no motion
     found, size = [], max(CHUNK // len(smooth), 1)
-    for start in range(0, len(points), size):
+    for start in range(0, max(len(points), 1), size):
         some = points[start : start + size]
         point, panel = np.repeat(np.arange(len(some)), len(smooth)), np.tile(smooth, len(some))
         point, panel, x = plane.passing(some, point, panel)

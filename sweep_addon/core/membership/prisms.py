@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Upright prisms and solids of revolution with a distance: a contour's region along an axis, or around it."""
+"""Planar sweeps with a distance: upright prisms by that of their contour, others by that of their mesh."""
 
 import numpy as np
 

@@ -53,7 +53,7 @@ class Way(NamedTuple):
     carried: object  # from rising parameters, the first of them the first break, to a Carried
     breaks: np.ndarray  # between which it is smooth, both ends among them
     closed: bool
-    region: object  # of the plane: depth(points, parameters), outward(points, parameters), box
+    region: object  # of the plane: depth, exact and growth of (points, parameters), and box
     parts: int = 16  # panels at least
     corners: tuple = ()
     limits: tuple = ()
