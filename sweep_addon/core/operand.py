@@ -36,9 +36,11 @@ class Operand:
 
     @classmethod
     def coerced(cls, value):
-        """An operand from itself or from the table of one, as the value of a parameter."""
+        """An operand from itself, from the table of one, or from its bare name, as the value of a parameter."""
         if isinstance(value, cls):
             return value
+        if isinstance(value, str) and value in known():
+            value = {"kind": value}
         if not isinstance(value, dict):
             raise ShapeError(f"must be a shape, a solid or a tree, got {shown(value)}")
         return from_table(known(), value, parameters)

@@ -93,7 +93,7 @@ def test_an_operand_that_crosses_itself_is_resolved_first():
 @pytest.mark.parametrize(
     "make, sentence",
     [
-        (lambda: sw.Tree(base=3), "base: must be a shape, a solid or a tree, got 3"),
+        (lambda: sw.Tree(base="bal"), "base: must be a shape, a solid or a tree, got 'bal'"),
         (lambda: sw.Tree(BLOCK, [("minus", ROD)]), "steps.1.operation: must be one of union, intersection, difference"),
         (lambda: sw.Placed(BLOCK, [[1, 0, 0, 0]]), "matrix: must have three rows of four numbers, got 1"),
         (lambda: sw.Placed(BLOCK, [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]), "matrix: must leave a volume, got 0"),
@@ -124,6 +124,10 @@ def test_a_contour_and_a_transformation_make_a_sweep(by, shape):
     assert sw.load(sw.dump(primitive - BLOCK)) == primitive - BLOCK
     points = [(0.1, 0.1, 0.1), (1.0, 0.0, 0.0), (9.0, 9.0, 9.0)]
     assert (sw.classify(primitive, points) == sw.classify(shape, points)).all()
+
+
+def test_an_operand_may_be_named():
+    assert sw.Tree("ball", [("difference", "block")]) == sw.solids.Ball() - sw.solids.Block()
 
 
 def test_a_tree_that_is_too_deep_is_refused():

@@ -375,9 +375,19 @@ def test_a_moving_solid_may_be_moved_as_a_whole():
 @pytest.mark.parametrize(
     "ask, sentence",
     [
-        (lambda: sw.classify(TORUS, [1, 2, 3]), "points: must be rows of three numbers, got [3]"),
-        (lambda: sw.classify(TORUS, [(0, 0, float("nan"))]), "points: must be finite"),
-        (lambda: sw.classify(TORUS, [(0, 0, 0)], tolerance=0), "tolerance: must be more than 0, got 0"),
+        (lambda: sw.classify(TORUS, [1, 2, 3]), "points: must be rows of three numbers, got [1, 2, 3]"),
+        (lambda: sw.classify(TORUS, None), "points: must be rows of three numbers, got None"),
+        (lambda: sw.classify(TORUS, [(0, 0, float("nan"))]), "points: must be finite, got [[0.0, 0.0, nan]]"),
+        (
+            lambda: sw.classify(TORUS, [(0, 0, 0)], tolerance=0),
+            "tolerance: must be a number of metres, more than 0, got 0",
+        ),
+        (
+            lambda: sw.classify(TORUS, [(0, 0, 0)], tolerance="x"),
+            "tolerance: must be a number of metres, more than 0, got ",
+        ),
+        (lambda: sw.classify(TORUS, [(0, 0, 0)], tolerance=5.0), "tolerance: must be at most 0.7"),
+        (lambda: sw.classify([TORUS, TORUS], [(0, 0, 0)]), "shape: must be a shape, a solid or a tree, got "),
         (lambda: sw.classify(3, [(0, 0, 0)]), "shape: must be a shape, a solid or a tree, got 3"),
         (
             lambda: sw.classify(sw.GeneralizedCylinder(start="open"), [(0, 0, 0)]),
@@ -404,6 +414,54 @@ def test_inverse_sweep_tells_all_planes_through_a_point():
         dense = np.linspace(0, 6 * pi, 100_001)
         values = -x * np.sin(dense) + y * np.cos(dense) + c * (z - c * dense)
         assert len(u) == np.count_nonzero(np.diff(np.sign(values)))
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-3, 0.05])
+@pytest.mark.parametrize(
+    "name", ["extruded L", "torus", "elbow", "closed frame", "canal", "cone by a taper to a point"]
+)
+def test_what_is_nearer_than_the_tolerance_is_on_from_either_side(name, tolerance):
+    """Along straight ways through the surface, across it: a little nearer is on, a little farther in or out."""
+    shape, distance, reach = SOLIDS[name]
+    random = np.random.default_rng(15)
+    points = random.uniform(-reach, reach, (40_000, 3))
+    inner, outer = points[distance(points) < 0], points[distance(points) > 0]
+    count = min(len(inner), len(outer), 300)
+    inner, outer = inner[:count], outer[:count]
+    for _ in range(60):
+        middle = (inner + outer) / 2
+        inside = (distance(middle) < 0)[:, None]
+        inner, outer = np.where(inside, middle, inner), np.where(inside, outer, middle)
+    step = 1e-6 * np.eye(3)
+    slope = np.stack([distance(outer + axis) - distance(outer - axis) for axis in step], axis=1)
+    normal = slope / np.linalg.norm(slope, axis=1, keepdims=True)
+    away = np.stack([distance(outer + part * tolerance * normal) for part in (1.2, 0.8, -0.8, -1.2)])
+    plain = (np.abs(away / tolerance - np.array([[1.2], [0.8], [-0.8], [-1.2]])) < 0.05).all(axis=0)  # no edge is near
+    assert plain.sum() > count / 4
+    for part, label in ((1.2, -1), (0.8, 0), (-0.8, 0), (-1.2, 1)):
+        found = sw.classify(shape, (outer + part * tolerance * normal)[plain], tolerance)
+        assert (found == label).all()
+
+
+def test_within_a_union_a_large_tolerance_leaves_what_is_in():
+    block = sw.TranslationalSweep(sw.contours.Rectangle(2.0, 1.0), height=0.6)
+    union = block | block.moved(z=0.6)
+    points = [(0, 0, 0.6), (0, 0, 0.55), (0, 0, 0.6005), (0, 0, 1.2005), (0, 0, 1.1)]
+    for tolerance, on in ((1e-3, [1, 1, 1, 0, 1]), (0.1, [1, 1, 1, 0, 0])):
+        assert sw.classify(union, points, tolerance).tolist() == on
+
+
+@pytest.mark.parametrize("corners", [500, 20_000])
+def test_contours_of_many_corners_are_told_soon(corners):
+    angle = 2 * pi * np.arange(corners) / corners
+    wavy = 1 + 0.1 * np.sin(50 * angle)
+    outline = sw.contours.Outline([np.stack((wavy * np.cos(angle), wavy * np.sin(angle)), axis=1)])
+    points = np.random.default_rng(16).uniform((-1.2, -1.2, -0.5), (1.2, 1.2, 1.5), (20_000, 3))
+    around = np.arctan2(points[:, 1], points[:, 0])
+    across = np.hypot(points[:, 0], points[:, 1]) - 1 - 0.1 * np.sin(50 * around)
+    sure = np.abs(across) > (2e-2 if corners < 1000 else 1e-4)
+    inside = (across < 0) & (np.abs(points[:, 2] - 0.5) < 0.5)
+    assert (sw.classify(sw.TranslationalSweep(outline, 1.0), points) == np.where(inside, 1, -1))[sure].all()
 
 
 def test_no_points_have_no_labels_and_no_images():

@@ -11,7 +11,7 @@ from ..contours.arcs import apexes
 from ..contours.offsetting import edges
 from ..contours.outline import size
 from ..csg import Tree
-from ..ends import Flat
+from ..ends import Flat, Open
 from ..parameters import require
 from ..runs import following
 from ..translational_sweep import FLATTEST, Reference, TranslationalSweep
@@ -60,6 +60,8 @@ def sweep_to_csg(shape):
     out = abs(shape.direction[2]) / max(np.linalg.norm(shape.direction), np.finfo(float).tiny)
     require(out > FLATTEST, "must lead out of the contour's plane", shape.direction, "direction")
     require(not isinstance(shape.contour, Mixed), "must be an area", "Mixed", "contour")
+    for key in ("start", "end"):
+        require(not isinstance(getattr(shape, key), Open), "must not be open: a tree is of solids", "open", key)
     sweep, tolerance = extruded(shape), chord_error(shape.contour)
     parts = [(operation, tree_of(part, sweep, tolerance)) for operation, part in convert(shape.contour).parts]
     base = parts[0][1]

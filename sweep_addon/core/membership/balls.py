@@ -10,7 +10,7 @@ from ..balls import Balls
 from ..canal_surface import BallEnd
 from ..parameters import require
 from ..vectors import dot, norms
-from .bodies import Body
+from .bodies import told
 from .hash import Boxes
 from .panels import NODES, derivative, panels, powers, slopes
 from .ways import PARTS, apart
@@ -22,7 +22,7 @@ PLACES = np.concatenate(([-1.0], NODES, [1.0]))
 ROOM = 1.2  # for what is faster between the places
 
 
-class BallsBody(Body):
+class BallsBody:
     """All points of all balls of a `CanalSurface` with round ends.
 
     A point is as deep as it is in the ball of which it is deepest: the least of ``|P - t(s)| - r(s)``.
@@ -49,26 +49,25 @@ class BallsBody(Body):
         radius = np.maximum(np.abs(low[:, 3]), np.abs(high[:, 3]))[:, None]
         self.low, self.high = low[:, :3] - radius, high[:, :3] + radius
         self.box = np.stack((self.low.min(axis=0), self.high.max(axis=0)))
-        self.hash = Boxes.of(self.low, self.high)
 
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""
-        labels = np.empty(len(points), dtype=np.int8)
+        boxes, labels = Boxes.of(self.low - tolerance, self.high + tolerance), np.empty(len(points), dtype=np.int8)
         for start in range(0, len(points), CHUNK):
-            some = points[start : start + CHUNK]
-            labels[start : start + CHUNK] = super().labels(some, tolerance)
+            some = slice(start, start + CHUNK)
+            labels[some] = told(self.near(points[some], boxes, tolerance), tolerance)
         return labels
 
-    def distance(self, points):
-        """How far points (n, 3) are from the nearest ball that may reach them, negative inside; infinite far out."""
+    def near(self, points, boxes, tolerance):
+        """How far points (n, 3) are from the nearest of the balls whose boxes they are in, negative inside."""
         found = np.full(len(points), np.inf)
-        point, panel = self.hash.pairs(self.hash.cells(points))
+        point, panel = boxes.pairs(boxes.cells(points))
         if not len(point):
             return found
         series, places = self.panels.series[panel], points[point]
         way = -series[:, :3]
         way[:, :, 0] += places
-        depth = self.least(way, series[:, 3], self.gaps[panel])
+        depth = self.least(way, series[:, 3], self.gaps[panel] + tolerance)
         first = np.flatnonzero(np.append(True, np.diff(point) > 0))
         found[point[first]] = np.minimum.reduceat(depth, first)
         return found

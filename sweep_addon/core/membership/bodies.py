@@ -22,8 +22,12 @@ class Body:
 
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""
-        distance = self.distance(points)
-        return np.where(np.abs(distance) <= tolerance, ON, np.where(distance < 0, IN, OUT)).astype(np.int8)
+        return told(self.distance(points), tolerance)
+
+
+def told(distance, tolerance):
+    """The labels of points so far from a boundary, negative inside: (n,) int8."""
+    return np.where(np.abs(distance) <= tolerance, ON, np.where(distance < 0, IN, OUT)).astype(np.int8)
 
 
 class BallBody(Body):

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Point membership classification: whether points are in a set, on its boundary or out of it."""
 
+from numbers import Real
+
 import numpy as np
 
+from ..operand import Operand
 from ..parameters import require
 from ..vectors import norms
 from .labels import decided
 from .members import member
 
-RELATIVE = 1e-9  # of the size of the set: the tolerance where none is given
+RELATIVE, LARGEST = 1e-9, 0.1  # of the size of the set: the tolerance where none is given, and the largest
 
 
 def classify(shape, points, tolerance=None):
@@ -21,7 +24,8 @@ def classify(shape, points, tolerance=None):
     points : (n, 3) float array
         In metres.
     tolerance : float, optional
-        The distance from the boundary, in metres, within which a point is on it; by default a billionth of the size.
+        The distance from the boundary, in metres, within which a point is on it: at most a tenth of the size, by
+        default a billionth of it.
 
     Returns
     -------
@@ -46,19 +50,31 @@ def classify(shape, points, tolerance=None):
     [1, 0, -1]
     """
     points = rows_of_three(points)
+    require(isinstance(shape, Operand), "must be a shape, a solid or a tree", shape, "shape")
     found = member(shape)
-    if tolerance is None:
-        tolerance = RELATIVE * float(norms(found.box[1] - found.box[0]))
-    require(tolerance > 0, "must be more than 0", tolerance, "tolerance")
+    size = float(norms(found.box[1] - found.box[0]))
+    tolerance = within_limits(RELATIVE * size if tolerance is None else tolerance, size)
     return decided(found.labels(points, tolerance), points, tolerance, found)
+
+
+def within_limits(tolerance, size):
+    """A tolerance as a number, or a refusal."""
+    number = isinstance(tolerance, Real) and not isinstance(tolerance, bool)
+    require(number and tolerance > 0, "must be a number of metres, more than 0", tolerance, "tolerance")
+    most = LARGEST * size
+    require(tolerance <= most, f"must be at most {most:.6g}, a tenth of the size", tolerance, "tolerance")
+    return float(tolerance)
 
 
 def rows_of_three(points):
     """Points as a (n, 3) float array, or a refusal."""
     try:
-        points = np.asarray(points, dtype=np.float64)
+        found = np.asarray(points, dtype=np.float64)
     except (TypeError, ValueError):
-        points = np.empty(0)
-    require(points.ndim == 2 and points.shape[1] == 3, "must be rows of three numbers", list(points.shape), "points")
-    require(np.isfinite(points).all(), "must be finite", "others", "points")
-    return points
+        found = np.empty(0)
+    fits = found.ndim == 2 and found.shape[1] == 3
+    got = list(found.shape) if found.ndim > 1 else points
+    require(fits, "must be rows of three numbers", got, "points")
+    wrong = ~np.isfinite(found).all(axis=1)
+    require(not wrong.any(), "must be finite", found[wrong][:1].tolist(), "points")
+    return found

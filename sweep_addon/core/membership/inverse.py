@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..frozen import individual
+from ..operand import Operand
 from ..parameters import require
 from ..wording import titled
 from .classify import rows_of_three
@@ -78,6 +79,7 @@ def inverse_sweep(shape, points):
     ([1.570796, 4.712389], [0.25, 4.25])
     """
     points = rows_of_three(points)
+    require(isinstance(shape, Operand), "must be a planar shape", shape, "shape")
     plane = member(shape)
     plane = getattr(plane, "plane", plane)
     require(isinstance(plane, MovingPlane), "must be the sweep of a contour", titled(type(shape)), "shape")

@@ -8,7 +8,7 @@ IN, ON, OUT = 1, 0, -1
 TOUCHED = 2  # on more than one boundary at once, or on a fold: what is around the point decides
 
 DIRECTIONS, FEW = 96, 8
-RADIUS = 16.0  # tolerances: how far the neighbours are
+RADIUS = 1.0  # tolerances: how far the neighbours are; a boundary that is farther does not count
 FINER = 1e-3  # of the tolerance: what counts as on, of a neighbour
 GOLDEN = np.pi * (3 - np.sqrt(5))
 

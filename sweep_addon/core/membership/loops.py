@@ -20,10 +20,8 @@ from ..frozen import individual
 from ..runs import following
 from ..vectors import dot, norms, unit
 from .hash import portions
+from .lattice import lattice
 
-CELLS = 4  # of the lattice for each edge, along a side as the root of them
-MOST = 512  # cells along a side
-ROOM = 1.001  # of a cell's diagonal, for rounding
 CHUNK = 1 << 18  # pairs of points and edges at a time
 LEAST = 1e-300  # keeps quotients of an edge without length finite
 CUSP = 2e-3  # radians that drawings of three decimals may miss a tangent by
@@ -125,13 +123,8 @@ class Loops:
     @cached_property
     def box(self):
         """The least and the greatest x and y: (2, 2) float array."""
-        reached = [self.start]
-        for axis, side in ((0, 1), (0, -1), (1, 1), (1, -1)):
-            extreme = self.centres.copy()
-            extreme[:, axis] += side * self.radii
-            reached.append(extreme[self.arcs & self.beside(np.arange(len(extreme)), extreme)])
-        reached = np.concatenate(reached)
-        return np.stack((reached.min(axis=0), reached.max(axis=0)))
+        low, high = self.boxes()
+        return np.stack((low.min(axis=0), high.max(axis=0)))
 
     def beside(self, edge, points):
         """Whether the nearest point of an edge's line or circle lies on the edge itself: (k,) bool.
@@ -256,55 +249,12 @@ class Loops:
             depth[start : start + size], outward[start : start + size] = found
         return depth, outward
 
-
-@individual
-class Lattice:
-    """Cells over a region: the edges that may be nearest somewhere in each.
-
-    Parameters
-    ----------
-    low, step : (2,) float array
-    shape : (2,) int array
-    clear : (cells,) float array
-        Of cells that no edge comes near, how far they are from the boundary at least, negative inside; 0 of others.
-    first : (cells + 1,) int array
-    edges : (p,) int array
-        Those of cell i are edges[first[i]:first[i + 1]].
-    """
-
-    low: np.ndarray
-    step: np.ndarray
-    shape: np.ndarray
-    clear: np.ndarray
-    first: np.ndarray
-    edges: np.ndarray
-
-
-def lattice(loops):
-    """The lattice of some loops."""
-    low, high = loops.box
-    size = high - low
-    side = min(int(np.ceil(CELLS * np.sqrt(len(loops.start)))) + 4, MOST)
-    shape = np.maximum(np.ceil(side * size / size.max()).astype(int), 1)
-    step = size / shape
-    i, j = (axis.ravel() for axis in np.meshgrid(np.arange(shape[0]), np.arange(shape[1]), indexing="ij"))
-    middles = low + (np.stack((i, j), axis=1) + 0.5) * step
-    depth = loops.exact(middles)[0]
-    half = ROOM * float(np.hypot(*step)) / 2
-    clear = np.where(np.abs(depth) > half, np.sign(depth) * (np.abs(depth) - half), 0.0)
-    near, edges = np.flatnonzero(clear == 0), []
-    counts = np.zeros(len(middles) + 1, dtype=np.intp)
-    per = max(CHUNK // len(loops.start), 1)
-    for begin in range(0, len(near), per):
-        some = near[begin : begin + per]
-        cell = np.repeat(np.arange(len(some)), len(loops.start))
-        edge = np.tile(np.arange(len(loops.start)), len(some))
-        across, beside = loops.distances(edge, middles[some][cell])
-        far = np.where(beside, np.abs(across), np.inf)
-        for ends in (loops.start, loops.end):
-            far = np.minimum(far, norms(middles[some][cell] - ends[edge]))
-        kept = far <= np.abs(depth[some])[cell] + 2 * half
-        counts[some + 1] = np.bincount(cell[kept], minlength=len(some))
-        edges.append(edge[kept])
-    edges = np.concatenate(edges) if edges else np.zeros(0, dtype=np.intp)
-    return Lattice(low, step, shape, clear, np.cumsum(counts), edges)
+    def boxes(self):
+        """The least and the greatest x and y of each edge: two (m, 2)."""
+        low, high = np.minimum(self.start, self.end), np.maximum(self.start, self.end)
+        for axis, side in ((0, 1), (0, -1), (1, 1), (1, -1)):
+            extreme = self.centres.copy()
+            extreme[:, axis] += side * self.radii
+            on = self.arcs & self.beside(np.arange(len(extreme)), extreme)
+            low[on], high[on] = np.minimum(low, extreme)[on], np.maximum(high, extreme)[on]
+        return low, high

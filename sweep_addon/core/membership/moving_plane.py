@@ -49,7 +49,7 @@ class MovingPlane:
     """
 
     def __init__(self, way):
-        self.way, self.region = way, way.region
+        self.way, self.region, self.hashes = way, way.region, {}
         looked = way.carried(np.linspace(way.breaks[0], way.breaks[-1], LOOKED))
         self.widest = float(np.abs(looked.scales).max())
         self.reach = float(norms(self.corners).max()) * self.widest
@@ -106,10 +106,12 @@ class MovingPlane:
         index = np.concatenate((chosen, others))
         return point[index], panel[index], np.concatenate((np.clip(x[chosen], -1.0, 1.0), at))
 
-    @cached_property
-    def hash(self):
-        room = 1e-6 * norms(self.box[1] - self.box[0])
-        return Boxes.of(self.low - room, self.high + room)
+    def hash(self, tolerance):
+        """The lattice of the panels' boxes, with room for a tolerance around them."""
+        room = max(1e-6 * norms(self.box[1] - self.box[0]), tolerance)
+        if room not in self.hashes:
+            self.hashes = {room: Boxes.of(self.low - room, self.high + room)} | dict(list(self.hashes.items())[:1])
+        return self.hashes[room]
 
     @cached_property
     def ends(self):
@@ -123,8 +125,9 @@ class MovingPlane:
 
     def labels(self, points, tolerance):
         """IN, ON, OUT, or TOUCHED where a neighbourhood decides, for points (n, 3): (n,) int8."""
-        cell, labels = self.hash.cells(points), np.full(len(points), OUT, dtype=np.int8)
-        counts = self.hash.counts(cell)
+        boxes, labels = self.hash(tolerance), np.full(len(points), OUT, dtype=np.int8)
+        cell = boxes.cells(points)
+        counts = boxes.counts(cell)
         asked = np.flatnonzero(counts)
         for some in portions(counts[asked], CHUNK):
             which = asked[some]
@@ -135,7 +138,7 @@ class MovingPlane:
 
     def of_planes(self, points, cell, tolerance):
         """The labels of so few points that all pairs with panels fit into memory, domes left out."""
-        point, panel, x = self.hits(points, *self.hash.pairs(cell), tolerance)
+        point, panel, x = self.hits(points, *self.hash(tolerance).pairs(cell), tolerance)
         inside, contact = self.sides(points[point], panel, x, tolerance)
         sure = np.zeros(len(points), dtype=bool)
         sure[point[inside]] = True
