@@ -31,7 +31,7 @@ MARGIN = 0.1  # of the steepest slope: what is left of it everywhere
 SAME = 1e-9  # of the whole: parameters nearer than this are one
 NEAR = 30.0  # tolerances in the contour's plane: nearer to its boundary the distance from the surface is asked for
 ROUNDING = 1e-12  # of the size
-FOLD = 40.0  # tolerances: what is around a point is looked at so far out
+FOLD = 4.0  # tolerances: what is around a point is looked at not so far out
 FAR = 1e150
 
 
