@@ -10,7 +10,8 @@ from .modules import NAME
 from .passages import Passage, PassageError, shown
 from .vocabulary import formula, words
 
-RANGE = re.compile(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*\.\.\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)(?:\s+(.*))?")
+NUMBER = r"([-+]?(?:\d++(?:\.(?!\.)\d*+)?|\.(?!\.)\d++)(?:[eE][-+]?\d++)?)"  # the dots between two are no part of one
+RANGE = re.compile(rf"\s*+{NUMBER}\s*+\.\.\s*+{NUMBER}(?:\s++(.*))?")
 UNITS = {"deg": "angle", "degree": "angle", "degrees": "angle", "m": "length", "metre": "length", "metres": "length"}
 
 

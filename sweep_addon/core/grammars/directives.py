@@ -14,6 +14,7 @@ WORDS = "dialect names define ignore consider angle step width generations seed 
 DIRECTIVE = re.compile(r"\s*#([a-z]+)(?=[\s:]|$)")
 MOST_GENERATIONS = 1_000_000
 MOST_NAMES = 10_000
+MOST_STEPS = 100_000  # of which the groups are listed
 LARGEST_SEED = 2**63 - 1
 
 
@@ -87,6 +88,8 @@ def schedule(passage):
         if not told and not again:
             passage.refuse("numbers of groups, as 1*6 2, at their end perhaps ...", match.start(), shown(match.group()))
         found += [int(told[1])] * int(told[2] or 1) if told else []
+        if len(found) > MOST_STEPS:
+            passage.refuse(f"at most {MOST_STEPS} steps", match.start(), "more")
     if not found:
         passage.refuse("the number of a group")
     return tuple(found), again
