@@ -229,9 +229,9 @@ def test_any_change_of_a_grammar_is_derived_or_refused(entry, data):
 
 @pytest.mark.parametrize("line", ["#define a 1 # " + "." * 500_000 + "x", "#define a 1 # " + "1" * 500_000 + " ..x"])
 def test_a_comment_that_is_nearly_a_range_is_one_at_once(line):
-    assert sw.LSystem.parse(f"{line}\naxiom: A(a)").constants[0].low is None
+    assert LSystem.parse(f"{line}\naxiom: A(a)").constants[0].low is None
 
 
 def test_a_list_of_groups_is_bounded():
-    with pytest.raises(sw.GrammarError, match="at most 100000 steps"):
-        sw.LSystem.parse("#groups " + "1*9999 " * 10_000 + "\naxiom: A")
+    with pytest.raises(GrammarError, match="at most 100000 steps"):
+        LSystem.parse("#groups " + "1*9999 " * 10_000 + "\naxiom: A")
