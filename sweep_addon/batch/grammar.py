@@ -46,11 +46,11 @@ def placed(path, problem):
 
 def derive(told):
     """Print the word that a grammar derives, in the notation of The Algorithmic Beauty of Plants, or how many modules
-    each generation has."""
+    each generation has, a line each from that of the axiom on."""
     system = read(told.grammar)
     if told.count:
         sizes = system.sizes(told.generations, told.seed)
-        sys.stdout.writelines(f"{generation} {size}\n" for generation, size in enumerate(sizes))
+        sys.stdout.writelines(f"{size}\n" for size in sizes)
     else:
         sys.stdout.write(f"{system.derive(told.generations, told.seed)}\n")
     sys.stdout.flush()

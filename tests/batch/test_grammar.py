@@ -29,7 +29,7 @@ def test_derive_prints_the_word(tree, capsys):
 
 
 def test_derive_counts_modules_of_each_generation(tree, capsys):
-    assert told(capsys, "derive", tree, "--count", "-n", "3") == (0, "0 1\n1 5\n2 13\n3 29\n", "")
+    assert told(capsys, "derive", tree, "--count", "-n", "3") == (0, "1\n5\n13\n29\n", "")
 
 
 def test_a_seed_decides_between_productions(tmp_path, capsys):

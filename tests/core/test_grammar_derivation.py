@@ -10,6 +10,7 @@ from sequential_deriver import text
 
 from sweep_addon.core.grammars import Budget, LSystem
 from sweep_addon.core.grammars.derivation import strategy
+from sweep_addon.core.grammars.growth import bounds
 from sweep_addon.core.parameters import ShapeError
 
 SMALL = Budget(modules=2000)
@@ -185,3 +186,28 @@ def test_sizes_are_those_of_the_words(told, sizes):
     system = LSystem.parse(told)
     assert system.sizes(5) == [len(system.derive(n)) for n in range(6)]
     assert system.sizes(5) == sizes
+
+
+def test_bounds_of_a_stochastic_word_are_those_of_the_book():
+    """ABOP figure 1.27: no word is longer than if the longest production were always taken."""
+    told = "axiom: F\nF -(0.33)-> F[+F]F[-F]F\nF -(0.33)-> F[+F]F\nF -(0.34)-> F[-F]F"
+    least, most = bounds(LSystem.parse(told).compiled, 5)
+    assert least <= 606 and most == 7811
+
+
+@given(grammars(cut=False))
+def test_no_word_is_out_of_its_bounds(told):
+    system = LSystem.parse(told)
+    try:
+        sizes = system.sizes(GENERATIONS, 4, SMALL)
+    except ShapeError:
+        return
+    for generation, size in enumerate(sizes):
+        least, most = bounds(system.compiled, generation)
+        assert least <= size <= most
+
+
+def test_a_stochastic_word_that_is_too_large_in_any_case_is_refused_at_once():
+    system = LSystem.parse("axiom: F\nF -(0.5)-> FF\nF -(0.5)-> FFF")
+    with pytest.raises(ShapeError, match="at most 20,000,000 modules, but 40 make at least 1,099,511,627,776"):
+        system.derive(40)

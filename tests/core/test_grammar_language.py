@@ -235,3 +235,21 @@ def test_a_comment_that_is_nearly_a_range_is_one_at_once(line):
 def test_a_list_of_groups_is_bounded():
     with pytest.raises(GrammarError, match="at most 100000 steps"):
         LSystem.parse("#groups " + "1*9999 " * 10_000 + "\naxiom: A")
+
+
+@pytest.mark.parametrize(
+    "rules",
+    [
+        "\n".join(f"A(x) : x > {k + 1} -> B" for k in range(8000)),
+        "\n".join(f"A(x) : x < {k - 8000} -> A(x)A(x)" for k in range(8000)) + "\nA(x) -> A(x)A(x)",
+        "\n".join(f"{chr(65 + k % 50)} < A(x) > {chr(65 + k // 50 % 50)} -> AB" for k in range(15_000)),
+    ],
+    ids=["conditions", "growing", "contexts"],
+)
+def test_thousands_of_productions_are_no_trap(rules):
+    started = time.process_time()
+    try:
+        LSystem.parse(f"axiom: A(1)\n{rules}").derive(2000, budget=Budget(modules=10_000, seconds=1))
+    except ShapeError as refusal:
+        assert len(str(refusal)) < 20_000
+    assert time.process_time() - started < 20

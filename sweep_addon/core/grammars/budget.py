@@ -33,7 +33,7 @@ class Budget:
     """
 
     modules: int = 20_000_000
-    bytes: int = 4_000_000_000
+    bytes: int = 1_000_000_000
     seconds: float = 60.0
 
 
@@ -45,9 +45,10 @@ class Meter:
         self.progress = progress or (lambda part: None)
         self.end = monotonic() + budget.seconds
 
-    def room(self, total, generation=None):
-        """Refuse a word of so many modules that is too large."""
+    def room(self, total, generation=None, least=False):
+        """Refuse a word of so many modules, or of at least so many, that is too large."""
         what = f"{self.generations} make" if generation is None else f"generation {generation} has"
+        what += " at least" if least else ""
         if total > self.budget.modules:
             raise ShapeError(
                 f"must make at most {self.budget.modules:,} modules, but {what} {sized(total)}", "generations"

@@ -14,7 +14,7 @@ from .budget import Budget, Meter
 from .directives import LARGEST_SEED, MOST_GENERATIONS
 from .draws import root
 from .forest import Forest
-from .growth import foretold
+from .growth import bounds, foretold
 from .pool import Pool
 from .reading import DEPTH
 from .stepping import State, first, step
@@ -40,6 +40,8 @@ def derived(system, generations, seed, budget, progress):
     if sizes:
         meter.room(sizes[-1], None if len(sizes) > generations else len(sizes) - 1)
         meter.room(max(sizes), sizes.index(max(sizes)))
+    elif limits := bounds(tables, generations):
+        meter.room(limits[0], least=True)
     if strategy(tables) == "doubling" and sizes:
         symbols = doubling.word(tables, generations)
         meter.tick(generations)

@@ -4,7 +4,7 @@
 
 from .budget import sized
 from .derivation import WAYS, strategy
-from .growth import foretold
+from .growth import bounds, foretold
 
 
 def kind(system):
@@ -65,7 +65,9 @@ def described(system, generations=None):
     elif sizes:
         size = f"more than {sized(sizes[-1])} modules after {generations} generations"
     else:
-        size = f"hangs on parameters, neighbours or chance; {generations} generations"
+        limits = bounds(tables, generations)
+        said = f"{sized(limits[0])} to {sized(limits[1])} modules" if limits else "not foretold"
+        size = f"{said} after {generations} generations"
     every = system.productions, *(group for _, group in system.groups), system.decomposition, system.homomorphism
     return [
         f"class: {kind(system)}",

@@ -8,9 +8,12 @@ of any size.
 """
 
 from collections import Counter
+from functools import reduce
+from operator import and_, or_
 
-LONGEST = 2000  # steps that are foretold: one takes a microsecond for each kind of modules
+LONGEST = 2000  # steps that are foretold
 WIDEST = 1 << 4096  # beyond which a size is not counted on
+MOST_WORK = 500_000  # numbers that are added up for it: some take half a microsecond, so that nobody waits
 
 
 def foretold(tables, generations):
@@ -33,22 +36,74 @@ def foretold(tables, generations):
     >>> foretold(LSystem.parse("axiom: A\\nA -> AB\\nB -> A").compiled, 8)
     [1, 2, 3, 5, 8, 13, 21, 34, 55]
     """
-    if generations > LONGEST or not certain(tables):
+    return grown(tables, generations, surely) if certain(tables) else None
+
+
+def bounds(tables, generations):
+    """How many modules there are at least and at most after so many steps.
+
+    Each kind of module is replaced by no less, and by no more, of each other kind than all that it may take say.
+
+    Returns
+    -------
+    tuple of int or None
+        None where cuts or decompositions leave nothing to be said.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.grammars import LSystem
+    >>> bounds(LSystem.parse("axiom: F\\nF -(0.5)-> FF\\nF -(0.5)-> FFF").compiled, 4)
+    (16, 81)
+    """
+    if tables.decomposition or tables.cut is not None:
+        return None
+    found = [grown(tables, generations, which) for which in (at_least, at_most)]
+    if not all(sizes and len(sizes) > generations for sizes in found):
+        return None
+    return found[0][-1], found[1][-1]
+
+
+def grown(tables, generations, which):
+    """Sizes after each step where each kind of module becomes what a function says of its productions."""
+    if generations > LONGEST:
         return None
     counts = Counter(tables.axiom.symbols)
-    made = [counts.total()]
-    growth = {}
+    made, growth, work = [counts.total()], {}, 0
     for step in range(1, generations + 1):
         rules = tables.of_step(step)
-        if id(rules) not in growth:
-            growth[id(rules)] = {
-                symbol: Counter(choices[0].templates[0].symbols) for symbol, choices in rules.choices.items()
-            }
-        counts = after(counts, growth[id(rules)])
+        if rules not in growth:
+            growth[rules] = {symbol: which(symbol, choices) for symbol, choices in rules.choices.items()}
+        counts = after(counts, growth[rules])
+        work += sum(len(growth[rules].get(symbol, ())) for symbol in counts)
+        if work > MOST_WORK:
+            return None
         made.append(counts.total())
         if made[-1] > WIDEST:
             break
     return made
+
+
+def surely(symbol, choices):
+    """What a kind of module becomes that always takes its first production."""
+    return Counter(choices[0].templates[0].symbols)
+
+
+def outcomes(symbol, choices):
+    """All that a kind of module may become, itself where nothing is sure to match."""
+    found = []
+    for choice in choices:
+        found += [Counter(template.symbols) for template in choice.templates]
+        if choice.condition is None and not choice.nodes:
+            return found if choice.bounds[-1] == 1 else [*found, Counter([symbol])]
+    return [*found, Counter([symbol])]
+
+
+def at_least(symbol, choices):
+    return reduce(and_, outcomes(symbol, choices))
+
+
+def at_most(symbol, choices):
+    return reduce(or_, outcomes(symbol, choices))
 
 
 def certain(tables):

@@ -17,12 +17,16 @@ from .tables import HIDDEN, SEEN
 
 NONE = 0  # the number of no module
 WIDEST = 64  # kinds of modules whose triples are looked up
+MOST_TRIES = 300_000  # productions that are compared with pairs of neighbours before the first step
 
 
 def suits(tables):
     """Whether the productions of a system leave all contexts to be known without a search."""
     every = (tables.common, *tables.groups.values())
-    if tables.decomposition or tables.cut is not None or len(tables.symbols) > WIDEST:
+    count = len(tables.symbols) + 1
+    if tables.decomposition or tables.cut is not None or count > WIDEST:
+        return False
+    if sum(map(len, (choices for rules in every for choices in rules.choices.values()))) * count**2 > MOST_TRIES:
         return False
     return not any(rules.branches for rules in every) and all(
         plain(tables, symbol, choice)
