@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Copies of trees: the result with all that it is made from, so that the two have nothing in common."""
+"""Copies of trees: the result with the objects that it is made from, and their meshes and curves.
+
+Actions, materials and what drivers read stay shared, as in Blender's own copies by script.
+"""
 
 from ..core.parameters import parameters
 from . import objects, operands, rna, trees
