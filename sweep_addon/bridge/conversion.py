@@ -36,7 +36,7 @@ def to_tree(ob):
         bpy.context.scene.collection.children.unlink(home)
         for collection in ob.users_collection:
             collection.children.link(home)
-    exchange(ob, made.data)
+    replace(ob, made.data)
     bpy.data.objects.remove(made)
     if value.steps:
         sharp_edges.draw(ob)
@@ -67,18 +67,14 @@ def to_sweep(ob):
     for modifier in trees.booleans(ob):
         ob.modifiers.remove(modifier)
     sharp_edges.undraw(ob)
-    exchange(ob, mesh)
+    replace(ob, mesh)
     for operand in freed:
         operands.remove_unused(operand)
 
 
-def exchange(ob, mesh):
-    """Give an object another mesh with the name and the materials of its own, which goes if nobody else uses it."""
-    own, name = ob.data, ob.data.name
-    for slot, material in enumerate(own.materials):
+def replace(ob, mesh):
+    """Give an object another mesh with the name and the materials of its own."""
+    for slot, material in enumerate(ob.data.materials):
         if slot < len(mesh.materials):
             mesh.materials[slot] = material
-    ob.data = mesh
-    if not own.users:
-        bpy.data.meshes.remove(own)
-    mesh.name = name
+    operands.exchange(ob, mesh)

@@ -150,7 +150,6 @@ def take_apart(result):
 
 def collapse(result):
     """Make a tree an ordinary mesh, as it is shown, and remove the operands that nothing else is made from."""
-    own = result.data
     others = [m for m in trees.others(result) if m.show_viewport]
     for modifier in others:
         modifier.show_viewport = False
@@ -163,13 +162,19 @@ def collapse(result):
     for modifier in trees.booleans(result):
         result.modifiers.remove(modifier)
     sharp_edges.undraw(result)
-    result.data = made
-    made.name = own.name
-    if not own.users:
-        bpy.data.meshes.remove(own)
+    exchange(result, made)
     for operand in freed:
         remove_unused(operand)
     return made
+
+
+def exchange(ob, mesh):
+    """Give an object another mesh, under the name of its own once that is gone, if nobody else uses it."""
+    own, name = ob.data, ob.data.name
+    ob.data = mesh
+    if not own.users:
+        bpy.data.meshes.remove(own)
+    mesh.name = name
 
 
 def remove_unused(operand):
