@@ -92,7 +92,7 @@ def draw_tree(layout, context, ob):
 
 def draw_rows(layout, ob, picked):
     """A row for each step, of very many those about the one that is picked; a click on what is left out goes there."""
-    rows = list(lines(ob, 0, (ob,)))
+    rows = list(lines(ob, 0, set()))
     at = next((i for i, (owner, modifier, _) in enumerate(rows) if picked == (owner, modifier)), 0)
     first = max(0, min(at - MOST_ROWS // 2, len(rows) - MOST_ROWS))
     last = min(first + MOST_ROWS, len(rows))
@@ -117,13 +117,14 @@ def summary(count, used):
     return f"{count} operand{'' if count == 1 else 's'}, {solver}"
 
 
-def lines(ob, depth, above):
-    """Each step of a tree with the object that has it and how deep it is, those of an operand below the operand's."""
+def lines(ob, depth, entered):
+    """Each step of a tree with the object that has it and how deep it is, those of an operand below its first one."""
+    entered.add(ob)
     for modifier in trees.booleans(ob):
         yield ob, modifier, depth
         operand = trees.operand_of(modifier)
-        if operand and operand.modifiers and operand not in above:
-            yield from lines(operand, depth + 1, (*above, operand))
+        if operand and operand.modifiers and operand not in entered:
+            yield from lines(operand, depth + 1, entered)
 
 
 def draw_warnings(layout, ob, steps, used, say):

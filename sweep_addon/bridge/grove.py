@@ -41,13 +41,13 @@ def to_object(operand, name=None, called=None):
     name = name or objects.title(type(operand))
     grove = Grove(bpy.data.collections.new(f"{name} {operands.SUFFIX}"), called or kind)
     try:
-        ob, place = grove.grown(operand, name)
-        if is_sheared(place):
-            ob, place = grove.mesh_object(operand.mesh(), name), HERE
+        place = place_of(operand)
+        sheared = is_sheared(place)  # which no object without a parent can be
+        ob = grove.mesh_object(operand.mesh(), name) if sheared else grove.grown(operand, name)
     except ShapeError:
         grove.fell()
         raise
-    ob.matrix_basis = Matrix(place.tolist())
+    ob.matrix_basis = Matrix((HERE if sheared else place).tolist())
     grove.collection.objects.unlink(ob)
     bpy.context.scene.collection.objects.link(ob)
     if grove.collection.objects:
@@ -73,39 +73,37 @@ class Grove:
         bpy.data.batch_remove([*made, *{ob.data for ob in made}, self.collection])
 
     def grown(self, operand, name):
-        """The object of an operand, and where it stands in the operand's space: (4, 4) float array."""
+        """The object of an operand, whose place is still to be given to it."""
         if isinstance(operand, Tree):
             return self.tree(operand, name)
         if isinstance(operand, Placed):
-            ob, place = self.grown(operand.solid, name)
-            return ob, np.vstack((operand.matrix.values, HERE[3])) @ place
+            return self.grown(operand.solid, name)
         if isinstance(operand, SweptSolid):
-            return self.swept_solid(operand, name), HERE
+            return self.swept_solid(operand, name)
         if hasattr(operand, "sweep"):
             operand = operand.sweep()
         if isinstance(operand, SHAPES):
-            return self.linked(objects.new_mesh(solid(operand), name)), HERE
-        return self.mesh_object(operand.mesh(), name), HERE
+            return self.linked(objects.new_mesh(solid(operand), name))
+        return self.mesh_object(operand.mesh(), name)
 
     def tree(self, tree, name):
         """The object of a tree's base with a modifier for each step."""
         with at("base"):
-            result, place = self.grown(tree.base, name)
-            if is_sheared(place):  # no object without a parent can be
-                result, place = self.mesh_object(closed_mesh(tree.base), name), HERE
+            sheared = is_sheared(place_of(tree.base))
+            result = self.mesh_object(closed_mesh(tree.base), name) if sheared else self.grown(tree.base, name)
         for number, step in enumerate(tree.steps, 1):
             with at(f"steps.{number}.operand"):
-                ob, there = self.grown(step.operand, self.called(step.operand))
-            self.attach(ob, result, np.linalg.solve(place, there))
+                ob = self.grown(step.operand, self.called(step.operand))
+            self.attach(ob, result, np.linalg.solve(place_of(tree), place_of(step.operand)))
             operands.add_step(result, spelled(step.operation), ob)
-        return result, place
+        return result
 
     def swept_solid(self, node, name):
         """The object of a general sweep whose generator is the object of the solid."""
         with at("solid"):
-            ob, place = self.grown(node.solid, self.called(node.solid))
-            if not np.array_equal(place, HERE):  # a generator is read in its own space
-                ob = self.mesh_object(closed_mesh(node.solid), self.called(node.solid))
+            moved = not np.array_equal(place_of(node.solid), HERE)  # a generator is read in its own space
+            called = self.called(node.solid)
+            ob = self.mesh_object(closed_mesh(node.solid), called) if moved else self.grown(node.solid, called)
         sweep = self.linked(objects.new_mesh(node.sweep(Triangles()), name, generator=ob))
         self.attach(ob, sweep, HERE)
         return sweep
@@ -128,6 +126,16 @@ class Grove:
             ob.matrix_parent_inverse = Matrix(place.tolist())
         else:
             ob.matrix_basis = Matrix(place.tolist())
+
+
+def place_of(operand):
+    """Where the object of an operand stands in the operand's space: (4, 4) float array."""
+    if isinstance(operand, Placed):
+        return np.vstack((operand.matrix.values, HERE[3])) @ place_of(operand.solid)
+    if isinstance(operand, Tree):
+        place = place_of(operand.base)
+        return HERE if is_sheared(place) else place
+    return HERE
 
 
 def solid(shape):

@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..core.membership import classify
-from . import objects
+from . import objects, trees
 
 NAME, COLOURS = "membership", "membership_colour"
 IN, ON, OUT = 1, 0, -1
@@ -33,7 +33,7 @@ def of_mesh(ob, other, tolerance=None):
     Raises
     ------
     ShapeError
-        For an object that is no solid; nothing is written.
+        For an object that is no solid, or is scaled to nothing; nothing is written.
     """
     places = np.empty(3 * len(other.data.vertices), np.float32)
     other.data.attributes["position"].data.foreach_get("vector", places)
@@ -51,6 +51,7 @@ def of_mesh(ob, other, tolerance=None):
 def of_points(ob, points, tolerance=None):
     """Classify points of the world, (n, 3), against the sweep or the tree that an object shows."""
     matrix = np.array(ob.matrix_world, dtype=float)
+    trees.require_extent(ob, matrix)
     local = np.linalg.solve(matrix[:3, :3], (points - matrix[:3, 3]).T).T
     return classify(objects.from_object(ob), local, tolerance or RELATIVE * size(ob))
 

@@ -87,7 +87,7 @@ def picked(ob):
 
 def pick(ob, owner, step):
     """Pick a step of a tree, of an operand too: make its modifier the active one, and those that lead to it."""
-    for above, modifier in path(ob, owner, ()) or ():
+    for above, modifier in path(ob, owner):
         above.modifiers.active = modifier
     owner.modifiers.active = step
     operand = operand_of(step)
@@ -95,17 +95,17 @@ def pick(ob, owner, step):
         operand.modifiers.active = None
 
 
-def path(ob, owner, above):
+def path(ob, owner):
     """The steps, each with its object, that lead from a tree to an object that is made into it: the first such way."""
-    if ob == owner:
-        return above
-    for modifier in booleans(ob):
-        operand = operand_of(modifier)
-        if operand and operand not in [each for each, _ in above]:
-            found = path(operand, owner, (*above, (ob, modifier)))
-            if found is not None:
-                return found
-    return None
+    todo, seen = [(ob, ())], set()
+    while todo:
+        ob, above = todo.pop()
+        if ob == owner:
+            return above
+        if ob and ob not in seen:
+            seen.add(ob)
+            todo += [(operand_of(step), (*above, (ob, step))) for step in reversed(booleans(ob))]
+    return ()
 
 
 def read(ob):
@@ -126,23 +126,27 @@ def read(ob):
     ShapeError
         Where parameters are refused, a modifier takes a collection, or an object is made from itself.
     """
-    return node(ob, bpy.context.evaluated_depsgraph_get(), ())
+    return node(ob, bpy.context.evaluated_depsgraph_get(), (), {})
 
 
-def node(ob, depsgraph, above):
-    """What an object shows, of which those above it are made."""
+def node(ob, depsgraph, above, known):
+    """What an object shows, of which those above it are made; what objects show that were read before is known."""
     if ob in above:
         raise ShapeError(f"must not be made from itself, as {ob.name!r} is")
     require(len(above) <= DEEPEST, f"must be at most {DEEPEST} trees deep", len(above))
-    above = (*above, ob)
-    if not is_tree(ob):
-        return leaf(ob, depsgraph, above)
+    if ob not in known:
+        known[ob] = (tree if is_tree(ob) else leaf)(ob, depsgraph, (*above, ob), known)
+    return known[ob]
+
+
+def tree(ob, depsgraph, above, known):
+    """The tree of an object that has Boolean modifiers."""
     with at("base"):
-        base = leaf(ob, depsgraph, above)
+        base = leaf(ob, depsgraph, above, known)
     made = []
     for number, modifier in enumerate(steps_of_objects(ob), 1):
         with at(f"steps.{number}.operand"):
-            operand = node(modifier.object, depsgraph, above)
+            operand = node(modifier.object, depsgraph, above, known)
         made.append(Step(OPERATIONS[modifier.operation], placed(operand, between(ob, modifier.object, depsgraph))))
     return Tree(base, made)
 
@@ -155,7 +159,7 @@ def steps_of_objects(ob):
     return steps(ob)
 
 
-def leaf(ob, depsgraph, above):
+def leaf(ob, depsgraph, above, known):
     """What an object's own mesh is: its shape, or its triangles; those of an object without steps as modifiers leave
     them."""
     if not objects.is_sweep(ob):
@@ -165,7 +169,7 @@ def leaf(ob, depsgraph, above):
     generator = generator_of(ob)
     if generator:
         with at("generator"):
-            solid = placed(node(generator, depsgraph, above), np.diag((*generator.scale, 1.0)))
+            solid = placed(node(generator, depsgraph, above, known), np.diag((*generator.scale, 1.0)))
         found = [swept(shape, solid) for shape in found]
     return found[0] if len(found) == 1 else Tree(found[0], [Step("union", other) for other in found[1:]])
 
@@ -200,9 +204,14 @@ def swept(sweep, solid):
 def between(ob, other, depsgraph):
     """Where another object stands in the space of an object: (4, 4) float array."""
     base, operand = (np.array(each.evaluated_get(depsgraph).matrix_world, dtype=float) for each in (ob, other))
-    if not np.linalg.det(base[:3, :3]):
-        raise ShapeError(f"must not be scaled to nothing, as {ob.name!r} is")
+    require_extent(ob, base)
     return np.linalg.solve(base, operand)
+
+
+def require_extent(ob, matrix):
+    """Refuse an object whose matrix scales it to nothing along an axis: nothing has a place in its space."""
+    if not np.linalg.det(matrix[:3, :3]):
+        raise ShapeError(f"must not be scaled to nothing, as {ob.name!r} is")
 
 
 def placed(operand, matrix):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What tests put into a scene of Blender, and what they read from it."""
 
+import itertools
+
 import bmesh
 import bpy
 import numpy as np
@@ -75,6 +77,15 @@ def cube(side=1.0, place=(0, 0, 0), name="cube"):
     ob = add(name, data)
     ob.location = place
     return ob
+
+
+def doubled(levels):
+    """Cubes of which each takes the next one twice, as a list: 2 ** levels ways lead from the first to the last."""
+    chain = [cube(1.0 + 0.1 * number, name=f"level {number}") for number in range(levels + 1)]
+    for ob, taken in itertools.pairwise(chain):
+        for _ in range(2):
+            ob.modifiers.new("by hand", "BOOLEAN").object = taken
+    return chain
 
 
 def straight(height=2.0):

@@ -77,6 +77,16 @@ def test_without_another_mesh_it_is_the_cursor(scene):
     assert membership.of_points(tube, np.array([scene.cursor.location])).tolist() == [1]
 
 
+def test_a_tree_and_a_sweep_without_extent_along_an_axis_are_refused_by_a_sentence(scene):
+    points = cloud([(0, 0, 1)])
+    for ob in (drilled(), sweep()):
+        ob.scale.y = 0
+        select(ob, points)
+        with pytest.raises(RuntimeError, match=f"must not be scaled to nothing, as '{ob.name}' is"):
+            bpy.ops.object.sweep_classify()
+    assert "membership" not in points.data.attributes
+
+
 def test_an_open_sweep_is_no_solid_and_nothing_is_written(scene):
     tube, points = sweep(start="open"), cloud([(0, 0, 1)])
     select(tube, points)

@@ -10,7 +10,7 @@ import pytest
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from layouts import Layout, context_of
-from scenes import cube, select, straight
+from scenes import cube, doubled, select, straight
 
 import sweep_addon as sw
 from sweep_addon.bridge import operands, solvers, trees
@@ -71,6 +71,14 @@ def test_steps_of_an_operand_stand_below_it_further_in(scene):
     calls = drawn(outer)
     assert calls.count("operation") == 3 and calls.count("separator") == 2
     assert "1 operand, " in " ".join(calls)
+
+
+def test_an_operand_that_is_shared_is_entered_once(scene):
+    """Twelve times two steps are 24 rows, ten of them drawn; by every way that leads to them they are 2^13 - 2."""
+    top = doubled(12)[0]
+    top.modifiers.active = None
+    calls = drawn(top)
+    assert "14 more below" in calls and calls.count("operation") == 10
 
 
 def test_an_operand_says_whose_it_is(scene):

@@ -9,7 +9,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import select, shown
+from scenes import cube, doubled, select, shown
 
 import sweep_addon as sw
 from sweep_addon.bridge import trees
@@ -75,6 +75,42 @@ def test_a_swept_solid_is_a_general_sweep_of_the_object_that_moves(scene):
     (mover,) = trees.operands(ob)
     assert mover.data.sweep.general_sweep.generator == "OBJECT"
     assert same(BLOCK | node.moved(z=2.0), sw.from_object(ob))
+
+
+SHEAR = [(1, 0, 0.5, 0), (0, 1, 0, 0), (0, 0, 1, 0)]
+BY_MESH = {
+    "moved generator": sw.SweptSolid(sw.solids.Block().moved(x=1.0), sw.RigidMotion()),
+    "sheared base": sw.Placed(BLOCK, SHEAR) - BAR,
+    "sheared tree as base": sw.Tree(sw.Placed(BLOCK - BAR, SHEAR), [("union", RING)]),
+    "sheared tree": sw.Placed(BLOCK - BAR, SHEAR),
+}
+
+
+@pytest.mark.parametrize("operand", BY_MESH.values(), ids=BY_MESH)
+def test_a_part_that_becomes_a_mesh_leaves_no_other_object(scene, operand):
+    ob = sw.to_object(operand, "result")
+    assert {ob, *trees.made_from(ob)} == set(bpy.data.objects)
+    assert all(each.parent == ob and each.hide_render for each in bpy.data.objects if each != ob)
+    assert all(mesh.users for mesh in bpy.data.meshes)
+
+
+def test_an_operand_that_is_shared_is_read_once(scene, monkeypatch):
+    """Twelve objects that each take the next one twice, and the last, are 13 to be read; by all ways 2^13 - 1."""
+    read, leaf = [], trees.leaf
+    monkeypatch.setattr(trees, "leaf", lambda ob, *more: read.append(ob) or leaf(ob, *more))
+    chain = doubled(12)
+    tree = sw.from_object(chain[0])
+    assert read == chain and tree.steps[0].operand is tree.steps[1].operand
+
+
+def test_the_way_to_a_step_asks_each_object_once(scene, monkeypatch):
+    chain, other = doubled(12), cube(name="other")
+    trees.pick(chain[0], chain[11], chain[11].modifiers[0])
+    assert trees.picked(chain[0]) == (chain[11], chain[11].modifiers[0])
+    assert [above for above, _ in trees.path(chain[0], chain[11])] == chain[:11]
+    asked, booleans = [], trees.booleans
+    monkeypatch.setattr(trees, "booleans", lambda ob: asked.append(ob) or booleans(ob))
+    assert trees.path(chain[0], other) == () and asked == chain
 
 
 def test_what_cannot_be_made_leaves_nothing_behind(scene):

@@ -5,6 +5,7 @@
 import pytest
 
 import sweep_addon as sw
+from sweep_addon.core.csg import tree as trees
 from sweep_addon.core.forms import python_source
 
 pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
@@ -135,3 +136,13 @@ def test_a_tree_that_is_too_deep_is_refused():
     with pytest.raises(sw.ShapeError, match="must be at most 100 trees deep"):
         for _ in range(200):
             tree = sw.Tree(ROD, [("union", tree)])
+
+
+def test_how_deep_a_tree_is_asks_a_shared_operand_once(monkeypatch):
+    """Twelve trees that each take the next one twice are 12 trees of a block, and a rod; by all ways 2^12."""
+    tree = ROD
+    for _ in range(12):
+        tree = sw.Tree(BLOCK, [("union", tree), ("difference", tree)])
+    asked, inside = [], trees.inside
+    monkeypatch.setattr(trees, "inside", lambda node: asked.append(node) or inside(node))
+    assert trees.depth(tree) == 12 and len(asked) <= 3 * 13

@@ -114,7 +114,7 @@ def combined(left, operation, right):
 
 def depth(tree):
     """How many trees are inside one another."""
-    level, deepest = [tree], 0
+    level, deepest = [tree], 0  # each node once, however many name it
     while level and deepest <= DEEPEST:
         deepest += any(isinstance(node, Tree) for node in level)
         level = list({id(inner): inner for node in level for inner in inside(node)}.values())
