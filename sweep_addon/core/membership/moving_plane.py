@@ -189,9 +189,11 @@ class MovingPlane:
         raw = np.stack([dot(places, at[:, axis][:, :3]) - at[:, axis][:, 3] for axis in (X, Y)], axis=1)
         return raw / np.where(at[:, SCALES] == 0, 1 / FAR, at[:, SCALES]), raw
 
-    def at(self, panel, x, of=powers):
-        """The channels but those of space: (n, 14)."""
-        return np.einsum("ncj,nj->nc", self.panels.series[panel, :14], of(x))
+    def at(self, panel, x, of=powers, first=X.start):
+        """The channels from one on, but those of space: (n, 14), 0 before."""
+        made = np.zeros((len(x), SPACE.start))
+        made[:, first:] = np.einsum("ncj,nj->nc", self.panels.series[panel, first : SPACE.start], of(x))
+        return made
 
     def sides(self, places, panel, x, tolerance):
         """Of hits, which are in the contour, (h,) bool, and which at a boundary: (h,) int8, 2 where others decide."""
@@ -201,7 +203,7 @@ class MovingPlane:
         depth = self.region.depth(images, parameter) * scales.min(axis=1)
         near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
         if len(near):
-            depth[near] = self.distance(places[near], panel[near], x[near], images[near], at[near], parameter[near])
+            depth[near] = self.distance(places[near], panel[near], x[near], images[near], parameter[near])
         depth[(norms(raw) <= tolerance) & (scales.max(axis=1) * self.reach <= tolerance * self.widest)] = 0.0  # a tip
         kept = self.cut_off(places, panel, parameter)
         present = (depth <= tolerance) & (kept <= tolerance)
@@ -213,13 +215,13 @@ class MovingPlane:
         inside[folds], contact[folds] = False, 2
         return inside, contact
 
-    def distance(self, places, panel, x, images, at, parameter):
+    def distance(self, places, panel, x, images, parameter):
         """How far hits near the contour's boundary are from the surface, to first order: (n,).
 
         The surface is where the contour's own distance f of the image Q vanishes. Where the plane passes through a
         point, n . (P - m) = 0, so its place x has the gradient -n / (n . (P - m))', and f that of f_Q Q_P + f' grad x.
         """
-        rate = self.at(panel, x, slopes)
+        at, rate = (self.at(panel, x, of, first=0) for of in (powers, slopes))
         depth, outward = self.region.exact(images, parameter)
         scales = np.where(at[:, SCALES] == 0, 1 / FAR, at[:, SCALES])
         along = np.stack([dot(places, rate[:, axis][:, :3]) - rate[:, axis][:, 3] for axis in (X, Y)], axis=1)

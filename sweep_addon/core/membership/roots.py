@@ -4,14 +4,28 @@
 
 import numpy as np
 
-from .panels import ORDER, derivative, powers, slopes
+from .panels import ORDER, derivative, powers
 
 DEGREES = np.arange(ORDER)
 STEEP = DEGREES**2  # the most that a Chebyshev polynomial rises
 STEPS = 6  # of Newton's method
+ENOUGH = 1e-8  # of half a panel: the next step is the square of this one
 BEYOND = 1e-9  # of half a panel: a root so far outside is one of its ends
 REAL = 1e-4  # of half a panel: roots whose imaginary parts are less may be one that is double but for rounding
 SMALL = 1e-300
+
+
+def monomials():
+    """From Chebyshev's polynomials to powers of x: (ORDER, ORDER), a column for each of the former."""
+    made = np.zeros((ORDER, ORDER))
+    made[0, 0] = made[1, 1] = 1.0
+    for degree in range(2, ORDER):
+        made[1:, degree] = 2 * made[:-1, degree - 1]
+        made[:, degree] -= made[:, degree - 2]
+    return made
+
+
+MONOMIALS = monomials()
 
 
 def simple(series):
@@ -30,15 +44,27 @@ def simple(series):
     """
     bends = np.abs(series[:, 2:]) @ STEEP[2:]
     monotone = np.abs(series[:, 1]) > bends
+    terms = MONOMIALS @ series.T  # of powers of x, each in one run of memory
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         x = np.clip(np.where(monotone, -series[:, 0] / series[:, 1], 0.0), -2.0, 2.0)
         for _ in range(STEPS):
-            value, slope = (np.einsum("nj,nj->n", series, of(x)) for of in (powers, slopes))
+            value, slope = horner(terms, x)
             step = value / np.where(slope == 0, np.inf, slope)
             x = np.clip(x - step, -2.0, 2.0)
-            if np.abs(step).max(initial=0.0) < 1e-14:
+            if np.abs(step).max(initial=0.0) < ENOUGH:
                 break
     return monotone, x
+
+
+def horner(terms, x):
+    """Polynomials (ORDER, n) at places (n,), and their derivatives there: two (n,)."""
+    value, slope = terms[-1].copy(), np.zeros_like(x)
+    for term in terms[-2::-1]:
+        slope *= x
+        slope += value
+        value *= x
+        value += term
+    return value, slope
 
 
 def all_roots(series, near):
