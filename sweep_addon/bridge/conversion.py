@@ -2,12 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Extruded sweeps of a scene as live trees of primitives, and such trees as sweeps again."""
 
+import dataclasses
+
 import bpy
 
+from ..core.contours import Outline
+from ..core.contours.arc_recovery import recover_arcs
 from ..core.conversion import kind, sweep_to_csg
 from ..core.conversion.evaluation import csg_to_sweep
 from ..core.csg import Tree
 from . import grove, objects, operands, sharp_edges, trees
+
+QUARTER = 2e-4  # of its size: what a circle of four Bezier segments is off at most
 
 
 def to_tree(ob):
@@ -23,7 +29,7 @@ def to_tree(ob):
     ShapeError
         For what is no extrusion without draft; nothing is changed.
     """
-    value = sweep_to_csg(objects.shapes(ob.data)[0])
+    value = sweep_to_csg(extrusion(ob))
     made = grove.to_object(value, ob.name, called)
     solver = [modifier.solver for modifier in trees.booleans(made)]
     for number, modifier in enumerate(trees.booleans(made)):
@@ -40,6 +46,16 @@ def to_tree(ob):
     bpy.data.objects.remove(made)
     if value.steps:
         sharp_edges.draw(ob)
+
+
+def extrusion(ob):
+    """The shape of a sweep; of a contour that a curve or a text stands for, which is flattened, with its arcs."""
+    shape = objects.shapes(ob.data)[0]
+    drawn = "contour" in objects.inputs(ob.data) and isinstance(shape.contour, Outline) and shape.contour.closed
+    if not drawn:
+        return shape
+    contour = recover_arcs(shape.contour, QUARTER * shape.contour.section().size)
+    return dataclasses.replace(shape, contour=contour)
 
 
 def primitives(ob):

@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..core.membership import classify
+from ..core.parameters import require
 from . import objects, trees
 
 NAME, COLOURS = "membership", "membership_colour"
@@ -35,6 +36,7 @@ def of_mesh(ob, other, tolerance=None):
     ShapeError
         For an object that is no solid, or is scaled to nothing; nothing is written.
     """
+    require(len(other.data.vertices), "must have vertices", other.name, "mesh")
     places = np.empty(3 * len(other.data.vertices), np.float32)
     other.data.attributes["position"].data.foreach_get("vector", places)
     matrix = np.array(other.matrix_world, dtype=float)

@@ -95,3 +95,9 @@ def test_an_open_sweep_is_no_solid_and_nothing_is_written(scene):
     assert "membership" not in points.data.attributes
     select(cube(), points)
     assert not bpy.ops.object.sweep_classify.poll()
+
+
+def test_a_mesh_without_vertices_is_refused_by_a_sentence(scene):
+    empty = add("empty", bpy.data.meshes.new("empty"))
+    with pytest.raises(sw.ShapeError, match="mesh: must have vertices, got 'empty'"):
+        membership.of_mesh(sweep(), empty)

@@ -7,10 +7,11 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import cube, select, shown, sweep
+from scenes import add, cube, select, shown, sweep
 
 import sweep_addon as sw
-from sweep_addon.bridge import trees
+from sweep_addon.bridge import objects, trees
+from sweep_addon.core.conversion import kind
 
 PLATE = sw.TranslationalSweep(
     sw.contours.Outline(
@@ -73,3 +74,16 @@ def test_a_tree_of_other_things_is_not_evaluated(scene):
     with pytest.raises(RuntimeError, match="must be translational sweeps, got 'Triangles'"):
         bpy.ops.object.sweep_tree_evaluate()
     assert trees.is_tree(body) and len(bpy.data.objects) == 2
+
+
+def test_a_curve_that_is_flattened_is_converted_by_its_arcs(scene):
+    """A circle of Bezier segments, each three ten-thousandths off a true one: a cylinder, and no fan of prisms."""
+    bpy.ops.curve.primitive_bezier_circle_add(radius=2.0)
+    circle = bpy.context.object
+    circle.data.dimensions, circle.data.resolution_u = "2D", 24
+    mesh = objects.new_mesh(sw.TranslationalSweep(height=1.0), "can", contour=circle)
+    ob = add("can", mesh)
+    select(ob)
+    assert bpy.ops.object.sweep_convert_to_csg() == {"FINISHED"}
+    assert kind(sw.from_object(ob)) == "cylinder" and not ob.modifiers
+    assert shown(ob).volume() == pytest.approx(4 * np.pi, rel=5e-3)
