@@ -78,15 +78,14 @@ class Tokens:
 
     def changed(self, tokens, z, w):
         """What rolling level does at tokens, and the tropism behind them."""
-        rolls = self.is_level[tokens]
-        if rolls.any():
-            rolled = turns.level(z, w)
-            z, w = np.where(rolls, rolled[0], z), np.where(rolls, rolled[1], w)
-        left = z, w
-        if self.walk.bends:
-            *towards, ease = self.walk.system.tropism
-            towards = np.array(towards) / np.linalg.norm(towards)
-            turned = turns.bent(z, w, towards, ease)
-            draws = self.drawing[tokens]
-            left = np.where(draws, turned[0], z), np.where(draws, turned[1], w)
+        rolls = np.flatnonzero(self.is_level[tokens])
+        if len(rolls):
+            z[rolls], w[rolls] = turns.level(z[rolls], w[rolls])
+        if not self.walk.bends:
+            return (z, w), (z, w)
+        *towards, ease = self.walk.system.tropism
+        towards = np.array(towards) / np.linalg.norm(towards)
+        draws = np.flatnonzero(self.drawing[tokens])
+        left = z.copy(), w.copy()
+        left[0][draws], left[1][draws] = turns.bent(z[draws], w[draws], towards, ease)
         return (z, w), left
