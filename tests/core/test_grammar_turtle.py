@@ -153,3 +153,10 @@ def test_organs_stand_where_the_turtle_is():
         ("L", [2], [[1, 0, 0]]),
         ("K", [1], [[2, 0, 0]]),
     ]
+
+
+def test_a_long_row_of_rotations_is_turned_as_by_the_reference():
+    draw = np.random.default_rng(6)
+    modules = [("F", ()), *random_word(draw, "+-&^/\\", 300), ("F", ()), *random_word(draw, "+&/", 33), ("F", ())]
+    figure, segments, _ = compared(modules, False)
+    assert errors(figure, segments).max() < 1e-12

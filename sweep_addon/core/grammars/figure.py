@@ -71,20 +71,20 @@ class Figure:
     @cached_property
     def parent(self):
         """(n,) int array: the segment that each goes on from, or -1."""
-        return self.walk.branches.previous(self.walk.branches.first(self.walk.drawing[self.walk.symbols]))
+        return self.walk.branches.previous(self.walk.branches.first(self.walk.looked_up(self.walk.drawing)))
 
     @cached_property
     def branch(self):
         """(n,) int array: the branch of each segment, the part of the word within one pair of brackets."""
         branches = self.walk.branches
-        first = branches.first(self.walk.drawing[self.walk.symbols])
+        first = branches.first(self.walk.looked_up(self.walk.drawing))
         return np.repeat(branches.branch, np.diff(first))
 
     @cached_property
     def joined(self):
         """(n,) bool array: whether each segment begins where its parent ends, in the same branch."""
         walk, parent = self.walk, self.parent
-        moved = walk.branches.previous(walk.branches.first(walk.moving[walk.symbols]))[self.drawn]
+        moved = walk.branches.previous(walk.branches.first(walk.is_moving))[self.drawn]
         straight = (moved >= 0) & self.drawn[moved]
         return straight & (parent >= 0) & (self.branch[parent] == self.branch)
 

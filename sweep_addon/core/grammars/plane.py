@@ -30,7 +30,7 @@ class Plane:
         sense = np.zeros(len(walk.word.tables.symbols), dtype=np.int8)
         sense[walk.numbers(left)] = 1
         sense[walk.numbers(right)] = -1
-        return walk.branches.counts(sense[walk.symbols])[walk.moves]
+        return walk.branches.counts(walk.looked_up(sense))[walk.moves]
 
     def degrees(self):
         """Angles, and which of them each move has; None where each has its own."""

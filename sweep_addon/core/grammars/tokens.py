@@ -27,7 +27,7 @@ class Tokens:
         kinds[walk.numbers(*TURNS, ABOUT)] = SPIN
         kinds[walk.numbers(*LEVELS)] = LEVEL
         kinds[walk.moving[: len(kinds)]] = MOVE
-        self.kind = kinds[walk.symbols]
+        self.kind = walk.looked_up(kinds)
         chosen = self.kind > 0
         places = np.flatnonzero(chosen)
         kind = self.kind[places]

@@ -8,6 +8,9 @@ heading, its left and its up.
 
 import numpy as np
 
+from .neighbours import narrow
+
+LONG = 32  # rotations in a row that are multiplied one by one
 FEW = 300  # tokens in a wave below which blocks of waves are quicker
 UPRIGHT = 1e-12  # of the sine between heading and up, below which nothing is level
 
@@ -53,7 +56,7 @@ def axes(z, w):
 
 
 def products_of_runs(z, w, run, count):
-    """The products of the rotations of each run, pair by pair; none where a run is empty.
+    """The products of the rotations of each run; none where a run is empty.
 
     Parameters
     ----------
@@ -64,16 +67,20 @@ def products_of_runs(z, w, run, count):
         How many runs there are.
     """
     while True:
-        new = np.concatenate(([True], run[1:] != run[:-1])) if len(run) else np.zeros(0, dtype=bool)
-        if new.all():
+        starts = np.flatnonzero(np.diff(run, prepend=-1))
+        lengths = np.diff(np.append(starts, len(run)))
+        if lengths.max(initial=0) <= LONG:
             break
-        place = np.arange(len(run))
-        odd = (place - np.maximum.accumulate(np.where(new, place, 0))) % 2 == 1
-        second = np.flatnonzero(odd)
-        z[second - 1], w[second - 1] = product((z[second - 1], w[second - 1]), (z[second], w[second]))
-        z, w, run = z[~odd], w[~odd], run[~odd]
+        place = np.arange(len(run)) - np.repeat(starts, lengths)
+        second = np.flatnonzero(place % 2)  # pair by pair, so that long runs take few rounds
+        z[second - 1], w[second - 1] = product(taken((z, w), second - 1), taken((z, w), second))
+        z, w, run = z[place % 2 == 0], w[place % 2 == 0], run[place % 2 == 0]
     whole = np.ones(count, dtype=complex), np.zeros(count, dtype=complex)
-    whole[0][run], whole[1][run] = z, w
+    whole[0][run[starts]], whole[1][run[starts]] = z[starts], w[starts]
+    for number in range(1, int(lengths.max(initial=0))):
+        starts, lengths = starts[lengths > number], lengths[lengths > number]
+        of = run[starts]
+        whole[0][of], whole[1][of] = product(taken(whole, of), taken((z, w), starts + number))
     return whole
 
 
@@ -126,7 +133,7 @@ def along_paths(relative, parent, depth, start, change=None):
         return by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves))))
     found, left = empty(len(parent)), empty(len(parent) + 1)
     left[0][-1], left[1][-1] = start
-    order = np.argsort(depth, kind="stable")
+    order = np.argsort(narrow(depth), kind="stable")
     for wave in np.split(order, np.cumsum(np.bincount(depth))[:-1]):
         turned = product(taken(left, parent[wave]), taken(relative, wave))
         leaves = turned
@@ -145,7 +152,7 @@ def by_blocks(relative, parent, depth, start, size):
     count = len(parent)
     within = (relative[0].copy(), relative[1].copy())
     anchor = parent.copy()  # the token before the first one of the same block
-    order = np.argsort(place, kind="stable")
+    order = np.argsort(narrow(place), kind="stable")
     waves = np.split(order, np.cumsum(np.bincount(place))[:-1])
     for wave in waves[1:]:
         before = parent[wave]
@@ -154,7 +161,7 @@ def by_blocks(relative, parent, depth, start, size):
     whole = empty(count + 1)
     whole[0][-1], whole[1][-1] = start
     last = np.flatnonzero(place == size - 1)
-    order = last[np.argsort(block[last], kind="stable")]
+    order = last[np.argsort(narrow(block[last]), kind="stable")]
     for wave in np.split(order, np.cumsum(np.bincount(block[last]))[:-1]) if len(last) else ():
         whole[0][wave], whole[1][wave] = product(taken(whole, anchor[wave]), taken(within, wave))
     return product(taken(whole, anchor), within)

@@ -42,9 +42,10 @@ class Walk:
             self.named.setdefault(name, []).append((number, count))
         drawn = [name for name in self.named if name in DRAWS or EDGE.fullmatch(name)]
         self.drawing, self.moving = self.table(*drawn), self.table(*drawn, *SKIPS)
-        brackets = np.flatnonzero(self.table(OPEN, CLOSE)[self.symbols])
+        self.bytes = self.symbols.tobytes() if self.symbols.dtype == np.uint8 else None
+        brackets = np.flatnonzero(self.chosen(OPEN, CLOSE))
         self.branches = Branches(brackets, self.table(OPEN)[self.symbols[brackets]])
-        self.is_moving = self.moving[self.symbols]
+        self.is_moving = self.looked_up(self.moving)
         self.moves = np.flatnonzero(self.is_moving)
         self.is_drawn = self.drawing[self.symbols[self.moves]]
         turning = any(self.named.get(name) for name in SPATIAL)
@@ -64,7 +65,14 @@ class Walk:
 
     def chosen(self, *names, given=None):
         """(n,) bool array: which modules of the word are of these names."""
-        return self.table(*names, given=given)[self.symbols]
+        return self.looked_up(self.table(*names, given=given))
+
+    def looked_up(self, table):
+        """(n,) array: what a table of bytes holds for each module; `bytes` looks up five times as fast as NumPy."""
+        if self.bytes is None:
+            return table[self.symbols]
+        whole = table.tobytes().ljust(256, b"\0")
+        return np.frombuffer(self.bytes.translate(whole), dtype=table.dtype)
 
     def parameter(self, places, default):
         """(n,) float array, or one number for all: the first parameter of modules, or the default where none is."""
