@@ -9,6 +9,7 @@ from ..progress import unheard
 from ..vectors import dot
 from .band import narrow_band
 from .creases import OFF, at_creases, placed
+from .cut_creases import mended
 from .dual import dual_surface
 from .on_edges import where_edges_cross
 from .untangling import untangled
@@ -56,7 +57,8 @@ def level_set(field, low, high, step, progress=unheard):
         Closed, and manifold at each edge and vertex; None where the field is nowhere negative.
 
     Each vertex stays within its cell. At creases, where two sheets meet, it goes to where their planes meet; where
-    triangles then cross or turn over, their vertices go back to where they were, in at most four rounds.
+    triangles then cross or turn over, their vertices go back to where they were, in at most four rounds. Where ridges
+    may be, edges that cut creases off are then flipped, or split at vertices that may be in other cells.
 
     Examples
     --------
@@ -88,6 +90,8 @@ def level_set(field, low, high, step, progress=unheard):
     triangles = cut(dual.quads, edged)
     corner_cells = np.tile(dual.cell[dual.quads], (2, 1))
     vertices, crossing = untangled((start, plain, creased, edged), triangles, corner_cells, dual.cell)
+    if field.ridges:  # of others each triangle is bounded by the cells that it is in
+        vertices, triangles = mended(field, vertices, triangles, crossing, step)
     progress(1.0)
     return Surface(vertices, triangles, crossing)
 

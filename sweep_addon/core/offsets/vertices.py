@@ -41,3 +41,8 @@ class Vertices:
         for whole, part in parts:
             whole[which] = part
         return Vertices(*(whole for whole, _ in parts))
+
+    def and_then(self, others):
+        """These, and others after them."""
+        names = self.__dataclass_fields__
+        return Vertices(*(np.concatenate((getattr(self, name), getattr(others, name))) for name in names))
