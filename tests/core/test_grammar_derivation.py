@@ -211,3 +211,14 @@ def test_a_stochastic_word_that_is_too_large_in_any_case_is_refused_at_once():
     system = LSystem.parse("axiom: F\nF -(0.5)-> FF\nF -(0.5)-> FFF")
     with pytest.raises(ShapeError, match="at most 20,000,000 modules, but 40 make at least 1,099,511,627,776"):
         system.derive(40)
+
+
+def test_chance_of_an_interpretation_alone_leaves_the_word_as_it_is():
+    word = LSystem.parse("axiom: F\nF -> FF\nhomomorphism:\nF -(0.5)-> G").derive(10, 3)
+    assert str(word) == "F" * 1024
+    assert 1024 / 2 - 5 * 16 < word.interpreted().count("G") < 1024 / 2 + 5 * 16
+
+
+def test_steps_beyond_what_is_foretold_are_derived():
+    system = LSystem.parse("axiom: A\nA -> B\nB -> A")
+    assert str(system.derive(3001)) == "B" and system.sizes(3000) == [1] * 3001

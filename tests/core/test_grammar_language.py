@@ -70,6 +70,12 @@ def test_what_is_written_reads_as_the_same():
     assert again.constants == system.constants and again.axiom == system.axiom
 
 
+def test_words_of_formulas_stay_apart_when_written():
+    system = LSystem.parse("axiom: A(2)\nA(x) : not x < 1 and x < 3 -> B( not x or x == 2 , x - -1 , if(x > 1, 3, 4) )")
+    assert str(system.productions[0].successor[0]) == "B(not x or x==2,x--1,if(x>1,3,4))"
+    assert str(LSystem.parse(str(system)).derive(1)) == str(system.derive(1)) == "B(1,3,3)"
+
+
 @given(grammars())
 def test_any_grammar_reads_as_the_same_when_written(told):
     system = LSystem.parse(told)

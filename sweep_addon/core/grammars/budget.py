@@ -43,7 +43,12 @@ class Meter:
     def __init__(self, budget, generations, columns, progress):
         self.budget, self.generations, self.width = budget, generations, 1 + 8 * columns
         self.progress = progress or (lambda part: None)
-        self.end = monotonic() + budget.seconds
+        self.started()
+
+    def started(self):
+        """The same meter, whose time begins now."""
+        self.end = monotonic() + self.budget.seconds
+        return self
 
     def room(self, total, generation=None, least=False):
         """Refuse a word of so many modules, or of at least so many, that is too large."""

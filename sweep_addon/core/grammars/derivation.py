@@ -9,7 +9,7 @@ from operator import index
 import numpy as np
 
 from ..parameters import require
-from . import doubling, layout, pool
+from . import doubling, layout, linking
 from .budget import Budget, Meter
 from .directives import LARGEST_SEED, MOST_GENERATIONS
 from .draws import root
@@ -42,16 +42,18 @@ def derived(system, generations, seed, budget, progress):
         meter.room(max(sizes), sizes.index(max(sizes)))
     elif limits := bounds(tables, generations):
         meter.room(limits[0], least=True)
-    if strategy(tables) == "doubling" and sizes:
+    way = strategy(tables)
+    if way == "doubling" and sizes:
         symbols = doubling.word(tables, generations)
         meter.tick(generations)
         state = State(symbols, [], None, lambda: doubling.births(tables, generations))
-    elif strategy(tables) == "forest":
+    elif way in ("forest", "doubling"):
         (forest,) = deque(grown(Forest, tables, generations, seed, meter), maxlen=1)
         state = layout.word(forest, lambda: layout.births(forest))
-    elif strategy(tables) == "pool":
+    elif way == "pool":
         (linked,) = deque(grown(Pool, tables, generations, seed, meter), maxlen=1)
-        state = layout.word(linked, lambda: in_order(tables, generations, seed, meter).births)
+        again = Meter(meter.budget, generations, tables.columns, None)
+        state = layout.word(linked, lambda: in_order(tables, generations, seed, again.started()).births)
     else:
         state = in_order(tables, generations, seed, meter)
     return Word(tables, state, generations, seed)
@@ -73,7 +75,7 @@ def strategy(tables):
         return "doubling"
     every = (tables.common, *tables.groups.values())
     alone = not tables.decomposition and tables.cut is None and not any(rules.context for rules in every)
-    return "forest" if alone else "pool" if pool.suits(tables) else "in order"
+    return "forest" if alone else "pool" if linking.suits(tables) else "in order"
 
 
 def grown(kind, tables, generations, seed, meter):
@@ -118,7 +120,7 @@ def sizes(system, generations, seed, budget, progress):
     seed = whole(seed, LARGEST_SEED, "seed")
     if strategy(tables) == "in order":
         return [len(state) for state in states(tables, generations, seed, meter)]
-    kind = Forest if strategy(tables) == "forest" else Pool
+    kind = Pool if strategy(tables) == "pool" else Forest
     return [growth.total for growth in grown(kind, tables, generations, seed, meter)]
 
 

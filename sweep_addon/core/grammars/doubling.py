@@ -15,7 +15,7 @@ def suits(tables):
     """Whether a system is one, with modules that fit a byte."""
     every = [choices[0] for choices in tables.common.choices.values()]
     plain = not tables.groups and not tables.decomposition and tables.cut is None and not tables.columns
-    return plain and tables.dtype == np.uint8 and all(choice.certain for choice in every)
+    return plain and not tables.random and tables.dtype == np.uint8 and all(choice.certain for choice in every)
 
 
 def successors(tables):

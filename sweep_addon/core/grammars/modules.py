@@ -17,6 +17,7 @@ BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "?P", "?H", "?L", "?U", "?E")
 OPEN, CLOSE = "[", "]"
 NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32
+BLANKS = re.compile(r"(?<!\w)\s+|\s+(?!\w)", re.ASCII)  # all that part no words
 NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
@@ -39,7 +40,7 @@ class Module:
         return self.name, len(self.parameters)
 
     def __str__(self):
-        told = ",".join("".join(parameter.text.split()) for parameter in self.parameters)
+        told = ",".join(BLANKS.sub("", parameter.text) for parameter in self.parameters)
         return f"{self.name}({told})" if told else self.name
 
 

@@ -12,7 +12,7 @@ from .grouping import ROUNDING, grouped
 from .modules import CLOSE, OPEN
 
 CUT = "%"
-HIDDEN, SEEN, OPENS, CLOSES, ASKS = range(5)  # what a module is to a context; the last is hidden but has a context
+HIDDEN, SEEN, OPENS, CLOSES, ASKS = range(5)  # what a module is to a context; ASKS is hidden, but has a context itself
 
 
 class Tables:
@@ -22,12 +22,21 @@ class Tables:
     ----------
     symbols : list of (str, int)
         Name and number of parameters of each module, by its number.
+    axiom : Template
+    common, decomposition, homomorphism : Rules
+        Productions of every step, and of the other sections.
+    groups : dict of int to Rules
+        Those of each group, and behind them the common ones.
     lives : set of int
-        Modules that a production replaces.
+        Modules that a production of some step replaces.
     kind : (s + 1,) uint8 array
         What each is to contexts; the last is no module.
-    productions : dict of int to Rules
-        Those of each group.
+    columns : int
+        The most parameters of a module.
+    cut : int or None
+        The module that cuts.
+    random : bool
+        Whether anything hangs on chance.
     """
 
     def __init__(self, system):
