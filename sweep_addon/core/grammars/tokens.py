@@ -60,7 +60,9 @@ class Tokens:
         for number, axis, sense, count in named:
             at = np.flatnonzero(symbols == number) if count else ()
             if len(at):
-                z[at], w[at] = turns.rotation(axis, sense * walk.word.columns[0][places[at]])
+                angle = walk.word.columns[0][places[at]]
+                angle = angle[0] if (angle == angle[0]).all() else angle
+                z[at], w[at] = turns.rotation(axis, sense * angle)
         return z, w
 
     def orientations(self):

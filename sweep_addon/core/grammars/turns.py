@@ -17,9 +17,12 @@ UPRIGHT = 1e-12  # of the sine between heading and up, below which nothing is le
 
 def unit(degrees):
     """(n,) complex array: cosine and sine of angles in degrees, exact for quarters of a turn."""
-    quarter, rest = np.divmod(np.asarray(degrees, dtype=np.float64), 90.0)
-    angle = np.radians(rest)
-    return (np.cos(angle) + 1j * np.sin(angle)) * QUARTERS[np.mod(quarter, 4).astype(np.intp)]
+    degrees = np.asarray(degrees, dtype=np.float64)
+    quarter = np.rint(degrees / 90)
+    angle = np.radians(degrees - 90 * quarter)
+    found = np.empty(angle.shape, dtype=complex)
+    found.real, found.imag = np.cos(angle), np.sin(angle)
+    return found * QUARTERS[np.mod(quarter, 4).astype(np.intp)]
 
 
 QUARTERS = np.array([1, 1j, -1, -1j])
