@@ -6,6 +6,7 @@ import pytest
 import sequential_deriver
 from grammar_inputs import grammars
 from hypothesis import example, given
+from hypothesis import strategies as st
 from sequential_deriver import text
 
 from sweep_addon.core.grammars import Budget, LSystem
@@ -222,3 +223,26 @@ def test_chance_of_an_interpretation_alone_leaves_the_word_as_it_is():
 def test_steps_beyond_what_is_foretold_are_derived():
     system = LSystem.parse("axiom: A\nA -> B\nB -> A")
     assert str(system.derive(3001)) == "B" and system.sizes(3000) == [1] * 3001
+
+
+@given(grammars(cut=False, axial=True), st.integers(0, 6), st.sampled_from(["", "#groups 2 1 ...\n", "#groups 1 2\n"]))
+def test_tables_of_productions_are_derived_alike_in_all_ways(told, at, schedule):
+    lines = told.split("\n")
+    rules = [k for k, line in enumerate(lines) if "->" in line]
+    first = rules[min(at, len(rules) - 1)]
+    told = schedule + "\n".join([*lines[:first], "group 1:", lines[first], "group 2:", *lines[first + 1 :]])
+    words = []
+    for text_ in (told, told + IN_ORDER):
+        system = LSystem.parse(text_)
+        try:
+            words.append([str(system.derive(n, 5, SMALL)) for n in range(4)])
+        except ShapeError:
+            words.append(None)
+    assert words[0] == words[1]
+
+
+def test_births_in_a_pool_are_those_derived_step_by_step():
+    told = "#ignore F + -\naxiom: F1F1F1\n0 < 0 > 1 -> 1[+F1F1]\n0 < 1 > 1 -> 1F1\n1 < 1 > 1 -> 0\n+ -> -"
+    word, ordered = (LSystem.parse(text_).derive(8) for text_ in (told, told + IN_ORDER))
+    assert strategy(word.tables) == "pool" and strategy(ordered.tables) == "in order"
+    assert word.births.tolist() == ordered.births.tolist()

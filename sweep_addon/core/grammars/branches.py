@@ -95,7 +95,8 @@ class Branches:
         Where a branch ends the sum of its own stretches is taken off again; those within it have done so before.
         """
         if not len(self.brackets):
-            before = np.zeros(len(values) + 1, dtype=values.dtype)
+            before = np.empty(len(values) + 1, dtype=values.dtype)
+            before[0] = 0
             after = np.cumsum(values, out=before[1:])
             return before[:-1], after
         filled = np.flatnonzero(first[1:] > first[:-1])

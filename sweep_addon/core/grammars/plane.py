@@ -54,11 +54,14 @@ class Plane:
         after = np.append(walk.branches.sums(given, walk.branches.first(chosen))[1], 0.0)
         return after[walk.branches.before(walk.moves, chosen)]
 
-    def directions(self):
-        """(m,) complex array: the heading at each move, in the plane."""
+    def ways(self, length):
+        """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
         degrees, which = self.degrees()
         found = turns.unit(degrees)
-        found = found if which is None else found[which]
+        if np.ndim(length) == 0:
+            found *= length
+        found = found if which is None else found.take(which)
+        found = found * length if np.ndim(length) else found
         return found if self.halves is None else found * (1 - 2 * self.halves)
 
     def quaternions(self):

@@ -89,7 +89,7 @@ class Walk:
         length = self.parameter(self.moves, self.system.step)
         if not self.spatial and self.start == ALONG_X:
             plane = Plane(self)
-            ways = self.branches.sums(plane.directions() * length, first)
+            ways = self.branches.sums(plane.ways(length), first)
             start, end = self.points([[way.real, way.imag] for way in ways])
             found = plane.quaternions
         else:
