@@ -137,7 +137,7 @@ def test_angles_of_formulas_are_degrees():
         ("axiom: F\n#angle 1/0", 2, 8, "a finite number", "inf"),
         ("axiom: F\n#generations 2.5", 2, 14, "a whole number from 0 to 1000000", "'2.5'"),
         ("axiom: F\n#ingore + -", 2, 2, "#ignore, or a blank before a comment", "'ingore'"),
-        ("axiom: F\n#dialect maya", 2, 10, "one of the dialects abop", "'maya'"),
+        ("axiom: F\n#dialect maya", 2, 10, "one of the dialects abop, cpfg, fractint", "'maya'"),
         ("axiom: F\n#define a b\n#define b a", 2, 11, "constants that do not need each other", "'a'"),
         ("axiom: F\n#define a 1\n#define a 2", 3, 9, "each constant once", "'a'"),
         ("axiom: F\naxiom: G", 2, 1, "one axiom", "a second one"),

@@ -8,6 +8,7 @@ from dataclasses import fields
 from ..parameters import ShapeError, require
 from . import directives
 from .constants import constants
+from .dialects import OTHERS, translated
 from .directives import MOST_GENERATIONS, MOST_NAMES, directive
 from .grouping import check_probabilities
 from .modules import Alphabet
@@ -91,7 +92,8 @@ class Reader:
 
     def tell_dialect(self, passage, word):
         if passage.text not in directives.DIALECTS:
-            passage.refuse(f"one of the dialects {', '.join(directives.DIALECTS)}", 0, shown(passage.text))
+            known = ", ".join((*directives.DIALECTS, *OTHERS))
+            passage.refuse(f"one of the dialects {known}", 0, shown(passage.text))
         self.told["dialect"] = passage.text
 
     def tell_ignore(self, passage, word):
@@ -179,6 +181,6 @@ def read(kind, text, given):
         lines = text.count("\n") + 1
         most = f"at most {LONGEST:,} characters in {MOST_LINES:,} lines"
         raise ShapeError(f"must have {most}, got {len(text):,} in {lines:,}", "grammar")
-    told = Reader(text, given).read()
+    told = Reader(translated(text), given).read()
     assert told.keys() <= {field.name for field in fields(kind)}
     return kind(**told)

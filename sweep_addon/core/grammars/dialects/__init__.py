@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Dialects: texts in the notations of other programs, line by line as texts in that of the book.
+
+What a dialect has and this program does not know is told with its line, and nothing is guessed.
+"""
+
+import re
+from importlib import import_module
+
+from ..problems import GrammarError
+
+NAMED = re.compile(r"^[ \t]*#dialect[ \t]+(\w+)[ \t]*(?:#.*)?$", re.MULTILINE)
+OTHERS = ("cpfg", "fractint")
+
+
+def translated(text):
+    """A text in the notation of the book, whose lines have the numbers that they had.
+
+    Raises
+    ------
+    GrammarError
+        With every line that has no meaning here.
+    """
+    named = NAMED.search(text)
+    if not named or named[1] not in OTHERS:
+        return text
+    lines = (text[: named.start(1)] + "abop" + text[named.end(1) :]).split("\n")
+    made, problems = import_module(f".{named[1]}", __package__).translated(lines)
+    if problems:
+        raise GrammarError(problems)
+    return "\n".join(made)
