@@ -134,8 +134,9 @@ class Told:
     """
 
     def __init__(self, progress, expected):
-        self.progress, self.expected, self.done = progress, expected, 0
+        self.progress, self.expected, self.done, self.part = progress, expected, 0, 0.0
 
     def __call__(self, points):
         self.done += points
-        self.progress(self.done / max(self.expected, self.done * MARGIN))
+        self.part = max(self.part, self.done / max(self.expected, self.done * MARGIN))  # of equal ones rounding differs
+        self.progress(self.part)
