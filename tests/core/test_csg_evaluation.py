@@ -8,6 +8,8 @@ import pytest
 import sweep_addon as sw
 from sweep_addon.core.conversion.evaluation import csg_to_sweep
 
+pytest.importorskip("manifold3d", reason="trees are evaluated by it")
+
 OUTLINES = {
     "notched": ([(-2, -1), (2, -1), (2, 1), (1, 1), (1, 2), (0, 1), (-2, 1)], [0, 0.4, 0, 0, -0.3, 0.2, 0]),
     "slot": ([(-1, -0.5), (1, -0.5), (1, 0.5), (-1, 0.5)], [0, 1, 0, 1]),
