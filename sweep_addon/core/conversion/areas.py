@@ -7,7 +7,7 @@ import numpy as np
 from ..contours.offsetting import edges
 from ..frozen import frozen
 from ..parameters import require
-from .decomposition import SIGNS, decompose
+from .decomposition import SIGNS, classified, decompose
 
 
 @frozen
@@ -29,11 +29,7 @@ class Conversion:
 
     def classify(self, points):
         """(n,) bool array: which of the points (n, 2) are inside, by the Boolean operations on the primitives."""
-        found = np.zeros(len(points), dtype=bool)
-        for operation, part in self.parts:
-            inside = part.classify(points)
-            found = found & ~inside if operation == "difference" else found | inside
-        return found
+        return classified(self.parts, points)
 
     def signed_area(self):
         """The areas of all primitives, those that are taken off negative, those taken off a hole positive again."""

@@ -78,11 +78,7 @@ class Decomposition:
 
     def classify(self, points):
         """(n,) bool array: which of the points (n, 2) are inside, by the Boolean operations on the primitives."""
-        found = np.zeros(len(points), dtype=bool)
-        for operation, primitive in self.operations:
-            part = primitive.classify(points)
-            found = found & ~part if operation == "difference" else found | part
-        return found
+        return classified(self.operations, points)
 
     def signed_area(self):
         """The areas of the primitives, those that are taken off negative.
@@ -90,6 +86,15 @@ class Decomposition:
         It is the outline's: what is united shares no area with the rest, and what is taken off lies within it.
         """
         return sum(SIGNS[operation] * primitive.area for operation, primitive in self.operations)
+
+
+def classified(parts, points):
+    """Which points (n, 2) are in what parts, pairs of an operation and what classifies, leave one after the other."""
+    found = np.zeros(len(points), dtype=bool)
+    for operation, part in parts:
+        inside = part.classify(points)
+        found = found & ~inside if operation == "difference" else found | inside
+    return found
 
 
 def decompose(corners, bulges=None):

@@ -18,7 +18,7 @@ import numpy as np
 
 GOLDEN = 0x9E3779B97F4A7C15
 ALL = 2**64 - 1
-LEVELS = 1024  # levels of a decomposition that have numbers of their own in each step
+DRAWS = 1024  # of one module that have numbers of their own at each moment
 
 
 def mixed(numbers):
@@ -53,5 +53,5 @@ def even(keys, moment, draw):
     >>> even(root(seed=3), moment=0, draw=0).round(6).tolist()
     [0.305195]
     """
-    place = np.array([(moment * LEVELS + draw + 1) * GOLDEN & ALL], dtype=np.uint64)
+    place = np.array([(moment * DRAWS + draw + 1) * GOLDEN & ALL], dtype=np.uint64)
     return (mixed(keys + place) >> np.uint64(11)) * 2.0**-53

@@ -13,8 +13,7 @@ from .band import CORNERS
 from .creases import TURN, meeting_places
 from .cycles import EDGES
 
-HALVINGS = 4  # of an edge: its crossing is known to a 32nd, and the plane there to the square of that
-WITHIN = 0.0  # of a cell: as near to its faces a vertex may come
+HALVINGS = 4  # of an edge: its crossing is known to a 16th, and the plane there to the square of that
 
 
 def where_edges_cross(field, band, dual, which):
