@@ -12,6 +12,7 @@ from .passages import Passage, shown
 from .vocabulary import draws, formula, value, words
 
 ARROW, EMPTY = "->", "*"
+ALWAYS = "*"  # the book's condition where there is none
 LABEL = re.compile(r"(p_?\d+)\s*:", re.ASCII)  # as the book numbers its productions
 
 
@@ -92,7 +93,8 @@ def production(passage: Passage, alphabet: Alphabet, constants):
 
 def patterned(passage, alphabet, constants):
     """A production without its successor, and the names of the parameters that this may use."""
-    chance, stop = probability(passage, arrow(passage), constants)
+    at = arrow(passage)
+    chance, stop = probability(passage, at - longer(passage.text[:at]), constants)
     head = passage.part(0, stop)
     label = LABEL.match(head.text)
     if label and label.group(1) not in alphabet.names:
@@ -103,6 +105,8 @@ def patterned(passage, alphabet, constants):
     right = laterals(right, alphabet)
     strict = strict_predecessor(predecessor, alphabet)
     names = names_of([*left, strict, *right], head)
+    if condition is not None and condition.text == ALWAYS:
+        condition = None
     if condition is not None:
         condition = formula(condition, names, words(constants))
     share = value(chance, words(constants, random=False)) if chance else 1.0
@@ -122,6 +126,11 @@ def arrow(passage):
     if found < 0:
         passage.refuse("a production with '->'", 0, shown(text))
     return found
+
+
+def longer(head):
+    """Whether the last minus before an arrow is part of it, ``-->``, since what could be replaced stands before it."""
+    return head.endswith("-") and bool(head[:-1].strip()) and head[:-1].rstrip()[-1] not in "<>:"
 
 
 def probability(passage, at, constants):

@@ -13,6 +13,7 @@ from .directives import MOST_GENERATIONS, MOST_NAMES, directive
 from .grouping import check_probabilities
 from .modules import Alphabet
 from .passages import ENDED, Passage, PassageError, shown
+from .printed import legend, typed
 from .problems import GrammarError, Problem
 from .productions import production
 from .vocabulary import value, words
@@ -30,7 +31,7 @@ class Reader:
 
     def __init__(self, text, given):
         self.problems, self.told, self.rules = [], {}, []
-        lines = list(enumerate(re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff")), 1))
+        lines = list(enumerate(map(typed, re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff"))), 1))
         self.last = lines[-1]
         self.given = given
         self.lines = [found for line in lines if (found := self.attempt(self.parted, *reversed(line)))]
@@ -124,11 +125,20 @@ class Reader:
 
     def line(self, passage):
         """A line that is no directive: a section, the axiom or a production."""
-        match = SECTION.match(passage.text)
+        match, printed = SECTION.match(passage.text), legend(passage.text)
         if match:
             passage = self.sectioned(match, passage)
+        if printed:
+            return self.legend(passage, *printed)
         if passage and passage.text:
             self.rules.append((self.section, production(passage, self.alphabet, self.constants)))
+
+    def legend(self, passage, generations, angle):
+        """The line under a figure of a book."""
+        for word, found in (("generations", generations), ("angle", angle)):
+            if found is not None:
+                start = passage.text.index(found)
+                self.attempt(getattr(self, f"tell_{word}", self.number), passage.part(start, start + len(found)), word)
 
     def sectioned(self, match, passage):
         """What is left of a line that begins with the name of a section."""

@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grammars pasted as the book prints them, and with the arrow of cpfg and L-Py, are those that are typed."""
+
+import pytest
+
+from sweep_addon.core.grammars import GrammarError, LSystem
+
+TYPED = "#generations 5\n#angle 25.7\naxiom: X\nX -> F[+X]F[-X]+X\nF -> FF\n"  # figure 1.24d
+PRINTED = [
+    "n=5, δ=25.7°\nω : X\np1 : X → F[+X]F[−X]+X\np2 : F → FF\n",
+    "δ = 25.7\n#generations 5\nω:X\np1:X→F[+X]F[–X]+X\np2:F→FF",
+    "#angle 25.7\n#generations 5\naxiom: X\nX --> F[+X]F[-X]+X\nF-->FF",
+]
+
+
+@pytest.mark.parametrize("text", PRINTED)
+def test_printed_text_is_the_typed_one(text):
+    assert str(LSystem.parse(text)) == str(LSystem.parse(TYPED))
+
+
+def test_the_books_condition_that_always_holds():
+    text = "#define c 1\n#define p 0.3\nω : F(1)\np1 : F(x) : ∗ → F(x∗p)+F(x∗(c−p))"
+    typed = "#define c 1\n#define p 0.3\naxiom: F(1)\nF(x) -> F(x*p)+F(x*(c-p))"
+    assert str(LSystem.parse(text)) == str(LSystem.parse(typed))
+
+
+def test_comparisons_as_printed():
+    text = "axiom: A(3)A(4)A(5)\nA(s) : s ≥ 4 & s≠5 → B\nA(s) : s ≤ 3 → C"
+    assert str(LSystem.parse(text).derive(1)) == "CBA(5)"
+
+
+def test_a_minus_of_the_context_or_the_predecessor_is_no_part_of_the_arrow():
+    assert str(LSystem.parse("axiom: F-F\n- -> +").derive(1)) == "F+F"
+    assert str(LSystem.parse("axiom: F-F\n--> +").derive(1)) == "F+F"
+    assert str(LSystem.parse("axiom: F-F\nF > --> G").derive(1)) == "G-F"
+    assert str(LSystem.parse("axiom: FB-F\nF > B- -> G").derive(1)) == "GB-F"
+
+
+def test_what_is_written_is_read_again_with_every_arrow():
+    for text in ("axiom: FB-F\nF > B- -> G", "axiom: F-\n- -> F", "axiom: F-\nF < - > F -(0.5)-> F"):
+        written = str(LSystem.parse(text))
+        assert str(LSystem.parse(written)) == written
+
+
+def test_comments_keep_their_signs():
+    system = LSystem.parse("#define r 0.5  # 0 .. 1 größer → länger\naxiom: F(r)")
+    assert system.constants[0].doc == "größer → länger"
+
+
+def test_a_refusal_points_into_the_line_that_is_shown():
+    with pytest.raises(GrammarError) as refusal:
+        LSystem.parse("ω : F\nF → F(x)")
+    problem = refusal.value.problems[0]
+    assert problem.line == 2
+    assert problem.source[problem.column - 1] == "x"
+
+
+@pytest.mark.parametrize("text", ["n=5.5, δ=25°\naxiom: F", "n=99999999\naxiom: F", "δ=2.5.5\naxiom: F"])
+def test_legends_are_checked_as_directives_are(text):
+    with pytest.raises(GrammarError):
+        LSystem.parse(text)
