@@ -8,6 +8,7 @@ import numpy as np
 
 from . import turns
 from .filling import organs, polygons, position
+from .scaling import WIDTH, scaled
 
 THINNER = 0.5**0.5  # what a diameter is multiplied by where none is said: two such branches are as thick as one before
 
@@ -56,7 +57,12 @@ class Figure:
     @cached_property
     def width(self):
         """(n,) float array: the diameter of each segment, in metres."""
-        return self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times)
+        sets = self.walk.chosen("!", given=True)
+        found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times)
+        if not self.walk.numbers(WIDTH):
+            return found
+        last = self.walk.branches.before(self.place, sets)
+        return found * scaled(self.walk, WIDTH, self.place, np.append(np.flatnonzero(sets), -1)[last])
 
     @cached_property
     def colour(self):

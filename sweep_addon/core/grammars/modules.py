@@ -13,7 +13,7 @@ from ..frozen import frozen
 from .passages import Passage, shown
 from .vocabulary import draws, formula
 
-BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "?P", "?H", "?L", "?U", "?E")
+BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "@Sl", "@Sa", "@Sw", "?P", "?H", "?L", "?U", "?E")
 OPEN, CLOSE = "[", "]"
 NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32

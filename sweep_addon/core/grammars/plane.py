@@ -35,7 +35,7 @@ class Plane:
     def degrees(self):
         """Angles, and which of them each move has; None where each has its own."""
         walk = self.walk
-        if any(count for name in "+-" for _, count in walk.named.get(name, ())):
+        if walk.turns_differ:
             return self.added(), None
         count = self.counted("+", "-")
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
@@ -50,7 +50,7 @@ class Plane:
         chosen = walk.chosen("+", "-")
         places = np.flatnonzero(chosen)
         sense = np.where(np.isin(walk.symbols[places], walk.numbers("-")), -1.0, 1.0)
-        given = sense * walk.parameter(places, walk.system.angle)
+        given = sense * walk.angles(places)
         after = np.append(walk.branches.sums(given, walk.branches.first(chosen))[1], 0.0)
         return after[walk.branches.before(walk.moves, chosen)]
 

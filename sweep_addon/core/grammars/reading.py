@@ -8,7 +8,7 @@ from dataclasses import fields
 from ..parameters import ShapeError, require
 from . import directives
 from .constants import constants
-from .dialects import OTHERS, translated
+from .dialects import OTHERS, placed, translated
 from .directives import MOST_GENERATIONS, MOST_NAMES, directive
 from .grouping import check_probabilities
 from .modules import Alphabet
@@ -191,6 +191,9 @@ def read(kind, text, given):
         lines = text.count("\n") + 1
         most = f"at most {LONGEST:,} characters in {MOST_LINES:,} lines"
         raise ShapeError(f"must have {most}, got {len(text):,} in {lines:,}", "grammar")
-    told = Reader(translated(text), given).read()
+    try:
+        told = Reader(translated(text), given).read()
+    except GrammarError as refusal:
+        raise placed(refusal, text) from None
     assert told.keys() <= {field.name for field in fields(kind)}
     return kind(**told)

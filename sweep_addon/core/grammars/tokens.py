@@ -5,6 +5,7 @@
 import numpy as np
 
 from . import turns
+from .scaling import ANGLE
 
 TURNS = {"+": (2, 1), "-": (2, -1), "&": (1, 1), "^": (1, -1), "\\": (0, -1), "/": (0, 1)}  # axis and sense
 ABOUT = "|"
@@ -57,10 +58,11 @@ class Tokens:
         for number in walk.numbers(ABOUT):
             tables[0][number], tables[1][number] = turns.rotation(2, 180.0)
         z, w = turns.taken(tables, symbols)
+        scaled = bool(walk.numbers(ANGLE))
         for number, axis, sense, count in named:
-            at = np.flatnonzero(symbols == number) if count else ()
+            at = np.flatnonzero(symbols == number) if count or scaled else ()
             if len(at):
-                angle = walk.word.columns[0][places[at]]
+                angle = walk.angles(places[at])
                 angle = angle[0] if (angle == angle[0]).all() else angle
                 z[at], w[at] = turns.rotation(axis, sense * angle)
         return z, w

@@ -16,7 +16,8 @@ from .branches import Branches
 from .figure import Figure
 from .modules import CLOSE, OPEN
 from .plane import Plane
-from .tokens import LEVELS, SPATIAL, Tokens
+from .scaling import ANGLE, LENGTH, scaled
+from .tokens import LEVELS, SPATIAL, TURNS, Tokens
 
 DRAWS, SKIPS = ("F", "G"), ("f",)
 EDGE = re.compile("F[A-Za-z0-9]")  # edges of which there are several kinds, as Fl and Fr
@@ -83,10 +84,14 @@ class Walk:
             return default
         return np.where(given, self.word.columns[0][places], default)
 
+    def angles(self, places):
+        """(m,) float array, or one number for all: what turns at places turn by, in degrees."""
+        return self.parameter(places, self.system.angle * scaled(self, ANGLE, places))
+
     def figure(self):
         """The figure that is drawn."""
         first = self.branches.first(self.is_moving)
-        length = self.parameter(self.moves, self.system.step)
+        length = self.parameter(self.moves, self.system.step * scaled(self, LENGTH, self.moves))
         if not self.spatial and self.start == ALONG_X:
             plane = Plane(self)
             ways = self.branches.sums(plane.ways(length), first)
@@ -122,6 +127,11 @@ class Walk:
         """Whether segments bend towards a tropism."""
         tropism = self.system.tropism
         return tropism is not None and tropism[3] != 0
+
+    @property
+    def turns_differ(self):
+        """Whether turns may turn by other angles than that of the system."""
+        return bool(self.numbers(ANGLE)) or any(count for turn in TURNS for _, count in self.named.get(turn, ()))
 
     @property
     def levels(self):

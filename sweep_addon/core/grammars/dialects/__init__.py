@@ -6,12 +6,14 @@ What a dialect has and this program does not know is told with its line, and not
 """
 
 import re
+from dataclasses import replace
 from importlib import import_module
 
 from ..problems import GrammarError
 
+QUOTED = re.compile(r"'([^']+)'")
 NAMED = re.compile(r"^[ \t]*#dialect[ \t]+(\w+)[ \t]*(?:#.*)?$", re.MULTILINE)
-OTHERS = ("cpfg", "fractint")
+OTHERS = ("cpfg", "fractint", "houdini", "lpy")
 
 
 def translated(text):
@@ -30,3 +32,18 @@ def translated(text):
     if problems:
         raise GrammarError(problems)
     return "\n".join(made)
+
+
+def placed(refusal, text):
+    """A refusal of a translated text, with the lines that somebody wrote."""
+    lines = text.split("\n")
+    return GrammarError([written(problem, lines[min(problem.line, len(lines)) - 1]) for problem in refusal.problems])
+
+
+def written(problem, line):
+    """A problem of a translated line as one of the line that it comes from: where what was found stands, if it does."""
+    if problem.source == line:
+        return problem
+    quoted = QUOTED.search(problem.found)
+    at = line.find(quoted[1]) if quoted else -1
+    return replace(problem, column=max(at, 0) + 1, source=line)

@@ -4,17 +4,17 @@
 
 Source
 ------
-Prusinkiewicz, Hanan, Mech, Karwowski: L-studio/cpfg User's Manual, 1999. Lines of a view file that say angle and width
-may stand in the same text.
+Prusinkiewicz, Hanan, Mech, Karwowski: L-studio/cpfg User's Manual, 1999; and the grammar of cpfg itself, part of
+vlab, which is free. The lines of a view file may stand in the same text.
 """
 
 import re
 
 from ..passages import Passage, PassageError, shown
+from ..productions import around
+from .pasting import DEFINED, Pasting, joined, uncommented
+from .words import last_outside, modules, outside, unknown
 
-COMMENT = re.compile(r"/[*/]")
-DEFINED = re.compile(r"\s*#\s*define\s+([A-Za-z_]\w*)(\()?\s*(.*)")
-NAME = re.compile(r"[A-Za-z_]\w*")
 KEYWORDS = {  # what a line of the book says in its place; None where it says nothing
     "lsystem": None,
     "endlsystem": None,
@@ -30,94 +30,124 @@ KEYWORDS = {  # what a line of the book says in its place; None where it says no
     "angle factor": "#angle 360/({})",
     "initial line width": "#width {}",
 }
-KEYWORD = re.compile(
-    r"\s*(" + "|".join(word.replace(" ", r"\s+") for word in KEYWORDS) + r")\b\s*:?(.*)", re.IGNORECASE
+VIEW = """viewpoint|view reference point|view|projection|front distance|back distance|scale factor|z buffer|cue range
+|shade mode|render mode|light direction|light|diffuse reflection|line style|contour sides|polygonization level|winfont
+|font|window|window border|viewing angle|background scene|shadow map|box|initial color|line width increment
+|elasticity increment|tropism direction|tapered lines|surface diffuse|surface ambient|surface|texture|type|message
+|origin|min/max|corrected rotation|colors|scale""".replace("\n", "")
+ZERO = ("initial elasticity", "twist", "torque")  # lines of a view that say nothing where they say 0
+PATTERN = re.compile(
+    r"\s*(" + "|".join(word.replace(" ", r"\s*") for word in KEYWORDS) + r")\b\s*:?(.*)", re.IGNORECASE | re.DOTALL
 )
-UNKNOWN = re.compile(r"\b(?:sin|cos|tan|asin|acos|atan|atan2)\s*\(")  # their unit is that of the program's version
-MOST_PASTED, MOST_TOLD, LONGEST = 20, 200, 100_000  # rounds, characters of a constant, and of a line with constants
+SHOWN = re.compile(rf"\s*(?:{VIEW.replace(' ', chr(92) + 's*')})\s*:.*", re.IGNORECASE)
+NOTHING = re.compile(rf"\s*(?:{'|'.join(ZERO)})\s*:\s*0*\.?0*\s*|\s*color increment\s*:\s*1\s*", re.IGNORECASE)
+NAMES = re.compile(r"@G[sce]|@[!-~]|\?[A-Z]|[!-~]")
+SAME = frozenset("Ff+-&^\\/|[]{}.%~G")
+RENAMED = {";": "'", ",": "'", "!": "!", "#": "!"}
+KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "?P", "?H", "?L", "?U", "?E")
+ORGANS = {"@O": "sphere", "@o": "circle", "@c": "circle"}  # of the diameter that they say
+MOVES = "g"  # without a line or a vertex
+GRANTED = "maximum depth: 1"  # of a homomorphism and a decomposition, where the text says nothing
 
 
 def translated(lines):
     """Lines in the notation of the book, and problems."""
-    code = uncommented("\n".join(lines)).split("\n")
-    made, problems, pasted = [], [], {}
+    code = joined(uncommented("\n".join(lines)).split("\n"))
+    made, problems, reader = [], [], Reader()
     for number, (line, source) in enumerate(zip(code, lines, strict=True), 1):
         try:
-            made.append(one(line, Passage(source, number), pasted))
+            made.append(reader.line(line, Passage(source, number)))
         except PassageError as wrong:
             problems.append(wrong.problem)
             made.append("")
-    return made, problems
+    return made + reader.granted(), problems
 
 
-def uncommented(text):
-    """A text with blanks in the place of its comments."""
-    parts, at = [], 0
-    while match := COMMENT.search(text, at):
-        end = text.find("*/" if match.group() == "/*" else "\n", match.end())
-        end = len(text) if end < 0 else end + 2 * (match.group() == "/*")
-        parts += [text[at : match.start()], "\n" * text.count("\n", match.start(), end) or " "]
-        at = end
-    return "".join((*parts, text[at:]))
+class Reader:
+    """Reads one text, line by line."""
 
+    def __init__(self):
+        self.pasting, self.depths, self.organs, self.section = Pasting(), {}, {}, ""
 
-def one(line, source, pasted):
-    """A line in the notation of the book."""
-    defined = DEFINED.match(line)
-    if defined:
-        if defined[2]:
-            source.refuse("a constant without parameters", 0, "a macro")
-        if len(defined[3]) > MOST_TOLD:
-            source.refuse(f"at most {MOST_TOLD} characters to be pasted", 0, f"{len(defined[3])}")
-        pasted[defined[1]] = defined[3].strip()
-        return ""
-    if line.lstrip().startswith("#"):
-        if not line.lstrip().startswith("#dialect"):
-            source.refuse("#define", 0, shown(source.text))
-        return line
-    line = paste(line, source, pasted)
-    if UNKNOWN.search(line):
-        source.refuse("no angles in formulas, whose unit is not known", 0, shown(UNKNOWN.search(line).group()))
-    keyword = KEYWORD.fullmatch(line)
-    if keyword and "-->" not in line:
-        told = KEYWORDS[" ".join(keyword[1].lower().split())]
-        return told.format(keyword[2].strip()) if told else ""
-    return production(line, source) if line.strip() else ""
-
-
-def paste(line, source, pasted):
-    """A line with the text of constants in the place of their names."""
-    for _ in range(MOST_PASTED if pasted else 0):
-        if len(line) > LONGEST:
-            source.refuse(f"at most {LONGEST} characters where constants are pasted", 0, f"{len(line)}")
-        longer = NAME.sub(lambda match: pasted.get(match.group(), match.group()), line)
-        if longer == line:
+    def line(self, line, source):
+        """A line in the notation of the book."""
+        defined = DEFINED.match(line)
+        if defined:
+            self.pasting.define(defined, source)
+            return ""
+        if line.lstrip().startswith("#") and "-->" not in line:
+            if not line.lstrip().startswith("#dialect"):
+                source.refuse("#define", 0, shown(source.text))
             return line
-        line = longer
-    if pasted:
-        source.refuse("constants that do not need each other", 0, shown(source.text))
-    return line
+        line = self.pasting.pasted(line, source)
+        if SHOWN.fullmatch(line) or NOTHING.fullmatch(line):
+            return ""
+        keyword = PATTERN.fullmatch(line)
+        if keyword and "-->" not in line:
+            return self.keyword(" ".join(keyword[1].lower().split()), Passage(keyword[2], source.number), source)
+        return self.production(line, source) if line.strip() else ""
 
+    def keyword(self, word, rest, source):
+        word = {"derivationlength": "derivation length", "maximumdepth": "maximum depth"}.get(word, word)
+        if word in ("decomposition", "homomorphism"):
+            self.section, self.depths[word] = word, GRANTED
+            return f"{word}:"
+        if word == "seed" and self.section:
+            source.refuse("one seed, of all random numbers", 0, shown(source.text))
+        if word == "maximum depth":
+            self.depths[self.section] = ""
+        if word in ("ignore", "consider"):
+            told = " ".join(RENAMED.get(said.name, said.name) for said in modules(rest, NAMES) if said.name not in "[]")
+            return KEYWORDS[word].format(told)
+        told = self.word(rest) if word == "axiom" else rest.text
+        return KEYWORDS[word].format(told) if KEYWORDS[word] else ""
 
-def production(line, source):
-    """A production in the notation of the book."""
-    head, arrow, successor = line.partition("-->")
-    if not arrow:
-        source.refuse("a keyword, or a production with '-->'", 0, shown(source.text))
-    if "{" in head:
-        source.refuse("a condition without statements", 0, "'{'")
-    contexts, colon, condition = head.partition(":")
-    condition = condition.strip() if condition.strip() != "*" else ""
-    contexts = re.sub(r"^\s*\*\s*<|>\s*\*\s*$", "", contexts).replace("=]", "]")
-    body, chance = parted(successor)
-    arrow = f"-({chance})->" if chance else "->"
-    return f"{contexts}{f' : {condition}' if condition else ''} {arrow} {body}"
+    def granted(self):
+        """Lines that say what the program says of itself."""
+        names = [f"#names {', '.join(self.organs)}"] if self.organs else []
+        return names + [line for section, depth in self.depths.items() if depth for line in (f"{section}:", depth)]
 
+    def production(self, line, source):
+        """A production in the notation of the book."""
+        head, arrow, successor = line.partition("-->")
+        if not arrow:
+            source.refuse("a keyword, or a production with '-->'", 0, shown(source.text))
+        if "{" in head:
+            source.refuse("a condition without statements", 0, "'{'")
+        colon = outside(head, ":")
+        contexts, condition = (head[:colon], head[colon + 1 :].strip()) if colon >= 0 else (head, "")
+        condition = f" : {condition}" if condition not in ("", "*") else ""
+        contexts = re.sub(r"^\s*\*\s*<|>\s*\*\s*$", "", contexts).replace("=]", "]")
+        left, strict, right = (part and self.heads(part) for part in around(Passage(contexts, source.number)))
+        colon = last_outside(successor, ":")
+        body, chance = (successor[:colon], successor[colon + 1 :].strip()) if colon >= 0 else (successor, "")
+        arrow = f"-({chance})->" if chance else "->"
+        body = body.strip() if body.strip() == "*" else self.word(Passage(body, source.number))
+        left, right = f"{left} < " if left else "", f" > {right}" if right else ""
+        return f"{left}{strict}{right}{condition} {arrow} {body}"
 
-def parted(successor):
-    """A successor and its probability, which stands behind the last colon outside of brackets."""
-    text, depth, at = successor.strip(), 0, -1
-    for place, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
-        at = place if letter == ":" and not depth else at
-    return (text[:at].strip(), text[at + 1 :].strip()) if at >= 0 else (text, "")
+    def heads(self, passage):
+        """The modules of a predecessor or a context, which are renamed and nothing else."""
+        found = []
+        for said in modules(passage, NAMES):
+            if said.name in ("#", ",", *ORGANS):
+                unknown(passage, said, f"modules other than {said.name}")
+            found.append(said.told(RENAMED.get(said.name, said.name)))
+        return " ".join(found)
+
+    def word(self, passage):
+        """A word in the symbols of the book."""
+        return " ".join(self.module(passage, said) for said in modules(passage, NAMES))
+
+    def module(self, passage, said):
+        name = said.name
+        if name in ("!", "#", ",", *ORGANS) and len(said.parameters) != 1:
+            unknown(passage, said, f"one number in brackets behind {name}")
+        if name in ORGANS:
+            self.organs[ORGANS[name]] = None
+            return f"~{said.told(ORGANS[name])}"
+        if name in RENAMED:
+            return said.told(RENAMED[name])
+        if name not in SAME and name not in KNOWN and not name.isalnum() or name == MOVES:
+            unknown(passage, said)
+        return said.told()

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Words of other programs: their modules as they stand, told in the symbols of the book."""
+
+import re
+from typing import NamedTuple
+
+from ..modules import after_blanks, bracketed
+from ..passages import Passage, shown
+
+SINGLE = re.compile(r"[!-~]")
+
+
+class Said(NamedTuple):
+    """A module of another program: its name, its place in the passage, and its parameters as text."""
+
+    name: str
+    at: int
+    parameters: tuple
+
+    def told(self, name=None):
+        """The module in the notation of the book, under another name perhaps."""
+        name = self.name if name is None else name
+        return f"{name}({','.join(self.parameters)})" if self.parameters else name
+
+
+def modules(passage: Passage, names=SINGLE):
+    """The modules in a passage.
+
+    Parameters
+    ----------
+    passage : Passage
+    names : pattern
+        What matches the name of a module.
+
+    Returns
+    -------
+    list of Said
+
+    Examples
+    --------
+    >>> [said.told() for said in modules(Passage("F (1, x*(2)) + G", 1))]
+    ['F(1,x*(2))', '+', 'G']
+    """
+    text, at, found = passage.text, 0, []
+    while (at := after_blanks(text, at)) < len(text):
+        match = names.match(text, at)
+        if not match or match.group() in "()":
+            passage.refuse("a module", at)
+        end, parameters = match.end(), ()
+        opening = after_blanks(text, end)
+        if text[opening : opening + 1] == "(":
+            parts, end = bracketed(passage, opening)
+            parameters = tuple(part.text for part in parts)
+        found.append(Said(match.group(), at, parameters))
+        at = end
+    return found
+
+
+def outside(text, sign):
+    """The place of the first such sign outside of brackets, or -1.
+
+    >>> outside("A(x=1)=B", "="), outside("A(x)", "=")
+    (6, -1)
+    """
+    depth = 0
+    for at, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if not depth and text.startswith(sign, at):
+            return at
+    return -1
+
+
+def last_outside(text, sign):
+    """The place of the last such sign outside of brackets, or -1."""
+    depth, found = 0, -1
+    for at, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        found = at if not depth and text.startswith(sign, at) else found
+    return found
+
+
+def unknown(passage, said, what="a symbol that has a meaning here"):
+    """Refuse a module that the book has not."""
+    passage.refuse(what, said.at, shown(said.told()))
