@@ -9,7 +9,7 @@ from ..vectors import norms
 from .tree import FAN
 from .triangles import closest, squared_distances
 
-CHUNK = 8192  # points whose pairs with nodes fit into a processor's cache
+CHUNK = 1024  # points whose pairs with nodes, of eleven numbers each, fit into a processor's own cache
 RELATIVE, ABSOLUTE = 4e-6, 1e-6  # of distances and of the size: rounding in single precision, with room
 
 

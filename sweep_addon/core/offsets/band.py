@@ -1,20 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The narrow band: the cells of a lattice through which the zero of a function passes, found from coarse to fine.
-
-The function is a *field*: its values change by at most the distance (it is 1-Lipschitz), so that a value of more than
-half a cell's diagonal at its centre tells that the zero is not in that cell. A field has three methods, all of points
-(n, 3) with hints (n, k) that what it knows of a cell's centre may give to the points in that cell (k may be 0):
-
-``evaluate(points, hints)``
-    The values (n,), negative inside, and hints for points near them.
-``inside(points, hints)``
-    Whether values are negative: often told sooner than the value.
-``normals(points, hints)``
-    The values, unit normals (n, 3) outward, and hints, close to the zero.
-
-``ridges`` says whether smooth sheets of the zero may meet in an edge that is convex: those of a distance do not.
-"""
+"""The narrow band: the cells of a lattice through which the zero of a function passes, found from coarse to fine."""
 
 import numpy as np
 
@@ -76,7 +62,7 @@ def narrow_band(field, low, high, step):
     Parameters
     ----------
     field : object
-        With the methods that the module's first lines name.
+        As `any_field` says.
     low, high : (3,) array-likes
         A box that holds the zero, in metres.
     step : float
@@ -109,8 +95,9 @@ def narrow_band(field, low, high, step):
     hints, before = None, np.inf
     for level in range(depth, 0, -1):
         size = step * 2**level
-        values, hints = field.evaluate(low + (cells + 0.5) * size, hints)
-        kept = np.abs(values) <= HALF_DIAGONAL * size
+        reach = HALF_DIAGONAL * size
+        values, hints = field.evaluate(low + (cells + 0.5) * size, hints, reach)
+        kept = np.abs(values) <= reach
         cells, values, hints = cells[kept], values[kept], hints[kept]
         corners = 27 * len(cells) * (4 ** (level - 1) if len(cells) > LIKE_A_SURFACE * before else 1)
         if corners > MOST_CORNERS:

@@ -12,7 +12,7 @@ from .sphere import spread
 ROUNDING = 1e-9  # of the size: what a corner may stick out of the plane of a face beside it
 DIGITS = 12  # of planes: those that differ in none are one
 SPECK = 1e-15  # of the solid's volume: less is rounding of what has gone
-AT_ONCE = 4_000_000  # products of directions and vertices
+AT_ONCE = 2**16  # products of directions and vertices: so few stay in a cache, and OpenBLAS takes one thread
 
 
 def convex_offset(vertices, triangles, radius, step):

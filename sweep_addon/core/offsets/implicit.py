@@ -5,11 +5,12 @@
 import numpy as np
 
 from ..vectors import norms, unit
+from .any_field import AnyField
 
 STEP = 1e-6  # of the size of what points are asked about: of a central difference
 
 
-class Implicit:
+class Implicit(AnyField):
     """The field of a function.
 
     Parameters
@@ -22,12 +23,10 @@ class Implicit:
         Of what is looked at, in metres: differences are taken over a millionth of it.
     """
 
-    ridges = True
-
     def __init__(self, function, lipschitz=1.0, size=1.0):
         self.function, self.lipschitz, self.step = function, lipschitz, STEP * size
 
-    def evaluate(self, points, hints=None):
+    def evaluate(self, points, hints=None, reach=np.inf):
         return self.function(points) / self.lipschitz, np.empty((len(points), 0))
 
     def inside(self, points, hints=None):

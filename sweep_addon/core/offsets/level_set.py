@@ -43,7 +43,7 @@ def level_set(field, low, high, step, progress=unheard):
     Parameters
     ----------
     field : object
-        With the methods that `band` names; it is positive outside the box.
+        As `any_field` says; it is positive outside the box.
     low, high : (3,) array-likes
         A box that holds the surface, in metres.
     step : float
@@ -76,7 +76,7 @@ def level_set(field, low, high, step, progress=unheard):
     floor = band.low + step * band.cells[dual.cell]
     start = Vertices(dual.starts, *field.normals(dual.starts, band.hints[dual.cell]))
     progress(SHARES[1])
-    plain = start.at(field, np.clip(start.foot, floor, floor + step))
+    plain = field.at_feet(start, np.clip(start.foot, floor, floor + step))
     progress(SHARES[2])
     pairs = np.concatenate([dual.quads[:, [i, (i + 1) % 4]] for i in range(4)])
     which, creased = at_creases(field, plain, pairs, floor, step)

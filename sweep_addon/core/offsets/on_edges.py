@@ -13,8 +13,6 @@ from .band import CORNERS
 from .creases import TURN, meeting_places
 from .cycles import EDGES
 
-HALVINGS = 4  # of an edge: its crossing is known to a 16th, and the plane there to the square of that
-
 
 def where_edges_cross(field, band, dual, which):
     """Places in some cells where the tangent planes of the surface at their edges meet best.
@@ -36,8 +34,7 @@ def where_edges_cross(field, band, dual, which):
 
     Source
     ------
-    Ju, Losasso, Schaefer, Warren: Dual contouring of Hermite data, 2002. Planes are those where the surface is nearest
-    to places just outside: of these the distance of a moving solid is that of all poses, and not a depth in one.
+    Ju, Losasso, Schaefer, Warren: Dual contouring of Hermite data, 2002.
 
     Examples
     --------
@@ -81,10 +78,5 @@ def crossings(field, band, cell, edge):
     ends = band.low + band.step * (band.cells[cell][:, None] + CORNERS[EDGES[edge]])
     swapped = band.inside[cell] >> EDGES[edge, 0] & 1 == 0
     ends[swapped] = ends[swapped, ::-1]
-    within, outside = ends.swapaxes(0, 1).copy()
-    for _ in range(HALVINGS):
-        middle = (within + outside) / 2
-        inner = field.inside(middle, band.hints[cell])[:, None]
-        within, outside = np.where(inner, middle, within), np.where(inner, outside, middle)
-    values, normals, _ = field.normals(outside, band.hints[cell])
-    return outside, outside - values[:, None] * normals, normals
+    within, outside = ends.swapaxes(0, 1)
+    return field.leaving(within, outside, band.hints[cell])

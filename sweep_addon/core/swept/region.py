@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..offsets.any_field import AnyField
 from ..offsets.level_set import level_set
 from ..parameters import require
 from ..polyhedron import polyhedron
@@ -64,7 +65,7 @@ class Changing:
         return (self.motion.posed(raised(half * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])), poses),)
 
 
-class OverTheWay:
+class OverTheWay(AnyField):
     """The field of a region over x, y and the way, flat at both ends: a formula, over the slope that it has at most.
 
     Parameters
@@ -86,9 +87,7 @@ class OverTheWay:
         x, y, s = points.T
         return self.region.evaluate(x, y, np.clip(s / self.total, 0.0, 1.0)), np.maximum(-s, s - self.total)
 
-    ridges = True  # convex edges are edges too
-
-    def evaluate(self, points, hints=None):
+    def evaluate(self, points, hints=None, reach=np.inf):
         inside, beyond = self.formula(points)
         return np.maximum(inside / self.steepest, beyond), np.empty((len(points), 0))
 

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from ..motion import Poses
+from ..offsets.any_field import AnyField
 from ..vectors import dot, norms, unit
 
 FAN = 4  # parts of a stretch
@@ -26,7 +27,7 @@ EXACTLY = (4.0, 1.0, 0.25, 0.0625)  # of those through exact distances, where th
 FLAT = 1e-9  # of a step of the lattice: a parabola that bends less has no least place
 
 
-class Visited:
+class Visited(AnyField):
     """The field of all points that a moving solid visits; hints are the times of nearest poses.
 
     Parameters
@@ -63,9 +64,7 @@ class Visited:
             levels.append((middle, norms(corners[others] - corners[middle][:, None]).max(axis=(1, 2))))
         return levels
 
-    ridges = True  # convex edges are edges too
-
-    def evaluate(self, points, hints=None):
+    def evaluate(self, points, hints=None, reach=np.inf):
         """The values no farther from 0 than they are, and the times of the nearest poses: (n,), (n, 1)."""
         values, times = self.searched(points, hints)
         return np.sign(values) * np.maximum(np.abs(values) - self.field.error, 0.0), times[:, None]
