@@ -35,7 +35,7 @@ class Rings(NamedTuple):
     s: np.ndarray  # that height: (n,)
     axes: np.ndarray  # the axis there, and e2 and e3: (3, n, 3)
     ends: tuple  # the sections at the start and at the end
-    leaning: np.ndarray = ()  # the numbers of the rings whose points are at heights of their own: (k,)
+    leaning: tuple = (0, 0)  # at the start and at the end, how many rings have points at heights of their own: k in all
     heights: np.ndarray = None  # these: (m, k)
     lines: np.ndarray = None  # their places and the trajectory's parameter: (m, 4, k)
 

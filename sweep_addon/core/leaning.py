@@ -17,13 +17,13 @@ class Leaning(Chart):
 
     Parameters
     ----------
-    leaning : (k,) int array
-        The rings that lean, of which ``u`` and ``s`` hold middle values.
+    leaning : tuple of two int
+        How many rings lean at the start and at the end, k in all, of which ``u`` and ``s`` hold middle values.
     heights, parameters : (m, k) float array
         The arc length of each of their columns in metres, and the trajectory's parameter there.
     """
 
-    leaning: np.ndarray = None
+    leaning: tuple = (0, 0)
     heights: np.ndarray = None
     parameters: np.ndarray = None
 
@@ -51,11 +51,13 @@ class Leaning(Chart):
             heights = (heights - low) / (high - low)
         columns, bands = self.grid.strips[0], self.rings - 1  # an open outline ends with a column that no face follows
         sides = uv[: len(columns) * bands * 4].reshape(len(columns), bands, 4, 2)
-        for corner, ahead, ring in ((0, False, 0), (1, True, 0), (2, True, 1), (3, False, 1)):
-            band = self.leaning - ring
-            there = (band >= 0) & (band < bands)
-            along = self.grid.following[columns] if ahead else columns
-            sides[:, band[there], corner, 0] = heights[along][:, there]
+        here, ahead = heights[columns], heights[self.grid.following[columns]]
+        for own, which in standing(self.leaning, self.rings):
+            first, last, _ = which.indices(self.rings)
+            for corner, line, ring in ((0, here, 0), (1, ahead, 0), (2, ahead, 1), (3, here, 1)):
+                start = max(first, ring)
+                end = max(min(last, bands + ring), start)
+                sides[:, start - ring : end - ring, corner, 0] = line[:, own][:, start - first : end - first]
         return uv
 
     def along(self, dtype=np.float64):
@@ -63,5 +65,12 @@ class Leaning(Chart):
         values = super().along(dtype)
         own = {"u": self.parameters, "arc_length": self.heights}
         for name in values:
-            values[name].reshape(-1, self.rings)[:, self.leaning] = own[name]
+            for theirs, which in standing(self.leaning, self.rings):
+                values[name].reshape(-1, self.rings)[:, which] = own[name][:, theirs]
         return values
+
+
+def standing(leaning, rings):
+    """Which rings lean at the start and which at the end: pairs of slices, of those that lean and of all."""
+    before, after = leaning
+    return (slice(before), slice(before)), (slice(before, before + after), slice(rings - after, rings))

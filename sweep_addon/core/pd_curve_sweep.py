@@ -134,12 +134,13 @@ class PDCurveSweep(Operand):
         vertices = drawn(grid, affine(section.points), rings.axes, dtype)
         flat, around = tuple(end.points for end in rings.ends), lengths_around(section, np.ones(2))
         chart = grid, rings.u, rings.s, stations.total, around, flat, self.texture, self.attributes
-        if not len(rings.leaning):
+        if not any(rings.leaning):
             return Mesh(vertices, grid.topology(), Chart(*chart), told)
-        from .leaning import Leaning
+        from .leaning import Leaning, standing
 
         columns = vertices.reshape(len(section.points), -1, 3)
-        columns[:, rings.leaning] = rings.lines[:, :3].swapaxes(1, 2)
+        for own, which in standing(rings.leaning, len(rings.s)):
+            columns[:, which] = rings.lines[:, :3, own].swapaxes(1, 2)
         return Mesh(vertices, grid.topology(), Leaning(*chart, rings.leaning, rings.heights, rings.lines[:, 3]), told)
 
     def self_intersections(self):

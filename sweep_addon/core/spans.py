@@ -8,6 +8,7 @@ and where thousands of vertices lie on it, is then known without a frame for eac
 
 from functools import cached_property, lru_cache
 from math import comb
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,7 +26,33 @@ ENOUGH = 32  # spans; what rounding leaves adds up over more of them
 MOST_HALVINGS, MOST_SPANS = 24, 512
 ROUNDING = 1e-17  # of the largest term: what is left out of a part of a span
 PLACES = 128  # at least, at which the whole axis is looked at
+ABOUT = 1.25  # of half a span: how far from its middle a fan may reach as it is seen from where that begins
 FEW = 24  # spans that vertices are spread over: among more, each with its own frame is sooner placed
+
+
+class Fan(NamedTuple):
+    """Heights of lines on rings that go apart evenly from ring to ring: base + spread * share."""
+
+    base: np.ndarray  # of all lines, or of each: () or (m,)
+    spread: np.ndarray  # of each line: (m,)
+    share: np.ndarray  # of each ring: (n,)
+
+    @property
+    def heights(self):
+        """(m, n) float array."""
+        found = np.outer(self.spread, self.share)
+        found += np.reshape(self.base, (-1, 1))
+        return found
+
+    def with_middles(self):
+        """The fan with three more lines, each amid all of these."""
+        base = np.append(self.base, np.full(3, self.base.mean())) if self.base.ndim else self.base
+        return self._replace(base=base, spread=np.append(self.spread, np.full(3, self.spread.mean())))
+
+    def powers(self, radius, terms):
+        """Whose products are the powers of (heights - base) / radius, of one base: (m, terms) and (terms, n)."""
+        most = np.abs(self.share).max() or 1.0
+        return powers(self.spread * (most / radius), terms).T, powers(self.share / most, terms)
 
 
 @individual
@@ -85,12 +112,16 @@ class Spans:
         middle, half = self.middle[span], self.half[span]
         return lambda z: np.einsum("jm,jm...->m...", powers((z - middle) / half, ORDER), terms)
 
-    def lines(self, weights, z):
+    def lines(self, weights, z, fan=None, found=None):
         """The lines of points at heights, (m, n): places and the parameter u, (m, 4, n).
 
-        The points are given by what they are made of, (m, 3), as `affine` says.
+        The points are given by what they are made of, (m, 3), as `affine` says. Where the heights are those of a fan,
+        one matrix product takes the place of the powers of each. They are written into ``found``, if that is there.
         """
-        found, ends = np.empty((len(z), 4, z.shape[1])), np.concatenate(([-np.inf], self.ends, [np.inf]))
+        found = np.empty((len(z), 4, z.shape[1])) if found is None else found
+        ends = np.concatenate(([-np.inf], self.ends, [np.inf]))
+        if not z.size:
+            return found
         low, high = z.min(axis=0), z.max(axis=0)
         first, last = np.searchsorted(self.ends, (low.min(), high.max()))
         own = np.full(z.shape, last - first >= FEW)
@@ -103,10 +134,11 @@ class Spans:
             if not self.exact[span]:
                 own[:, rings] |= inside
                 continue
-            start, end = max(low[rings].min(), ends[span]), min(high[rings].max(), ends[span + 1])
-            part, centre, radius = self.part(span, start, end)
-            lines = (weights @ part.reshape(3, -1)).reshape(len(weights), 4, -1)
-            values = lines @ powers((z[:, rings] - centre) / radius, part.shape[-1]).swapaxes(0, 1)
+            reach = max(low[rings].min(), ends[span]), min(high[rings].max(), ends[span + 1])
+            if fan and self.seen_from(fan.base, span, *reach):
+                values = self.fanned(weights, fan._replace(share=fan.share[rings]), span, *reach)
+            else:
+                values = self.apart(weights, z[:, rings], span, *reach)
             np.copyto(found[:, :, rings], values, where=inside[:, None])
         if own.any():
             point, ring = np.nonzero(own)
@@ -114,17 +146,39 @@ class Spans:
             found[point, :, ring] = np.einsum("nw,nwc->nc", weights[point], there)
         return found
 
-    def part(self, span, start, end):
-        """The part of a span between two heights as polynomials of (z - centre) / radius: these, centre and radius.
+    def seen_from(self, base, span, start, end):
+        """Whether the polynomials of a span lose nothing where they are told of heights from a base on."""
+        if base.ndim:
+            return False
+        straight = span in (0, len(self.exact) - 1)
+        farthest = abs(base - self.middle[span]) + max(end - base, base - start)
+        return straight or farthest <= ABOUT * self.half[span]
 
-        The shorter it is the fewer terms it has that rounding does not outweigh.
-        """
+    def fanned(self, weights, fan, span, start, end):
+        """The lines of the points of a fan in a span, of which they reach from a height to another: (m, 4, n)."""
+        radius = max(end - fan.base, fan.base - start) or 1.0
+        part = self.part(span, fan.base, radius)
+        spread, share = fan.powers(radius, part.shape[-1])
+        lines = (weights @ part.reshape(3, -1)).reshape(len(weights), 4, -1) * spread[:, None]
+        return (lines.reshape(-1, part.shape[-1]) @ share).reshape(len(weights), 4, -1)
+
+    def apart(self, weights, z, span, start, end):
+        """The same of points at any heights, (m, n)."""
         centre, radius = (start + end) / 2, (end - start) / 2 or 1.0
+        part = self.part(span, centre, radius)
+        lines = (weights @ part.reshape(3, -1)).reshape(len(weights), 4, -1)
+        return lines @ powers((z - centre) / radius, part.shape[-1]).swapaxes(0, 1)
+
+    def part(self, span, centre, radius):
+        """A span about one of its heights, as polynomials of (z - centre) / radius.
+
+        The smaller the radius the fewer terms it has that rounding does not outweigh.
+        """
         place, scale = (centre - self.middle[span]) / self.half[span], radius / self.half[span]
         places, scales = np.power(((place,), (scale,)), np.arange(ORDER))
         found = self.coefficients[span] @ (BINOMIALS * places[ABOVE] * scales)
         counted = np.abs(found).max(axis=(0, 1)) > ROUNDING * np.abs(found).max()
-        return found[..., : np.flatnonzero(counted)[-1] + 1], centre, radius
+        return found[..., : np.flatnonzero(counted)[-1] + 1]
 
 
 @lru_cache(maxsize=16)

@@ -16,7 +16,7 @@ from .limits import Plane
 from .mesh import require_few
 from .parameters import ShapeError, at, require
 from .self_intersection.folds import roots
-from .spans import spans
+from .spans import Fan, spans
 from .vectors import cross, norms, unit
 
 FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
@@ -24,6 +24,7 @@ ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stand
 CLOSEST = 1e-3  # of the mean step: a ring nearer to another would make slivers
 SHORTEST = 1e-9  # of the axis, between two planes
 ONCE = "must cut the line of every point of the contour once"
+NEARBY = 16  # heights, among which a cut is looked for at first: it is near an end of the axis
 HALVINGS = 12  # of an edge at most: what is missed falls to a quarter with each
 FLAT = 1e-9  # the sine of the angle between a plane and the axis beyond its end: it is never cut there
 
@@ -57,15 +58,16 @@ def trimmed(limits, bending, section, stations, tolerance):
     if left <= SHORTEST * bending.total:
         raise ShapeError(f"must leave something behind the start everywhere, got {left:.6g} m of it", "end")
     require_few(len(section.points) * len(stations.s), "samples")
-    between, before, after = ranged(stations.s, starts, ends, [isinstance(limit, Plane) for limit in limits])
-    heights = np.concatenate((before, after), axis=1)
-    middles = heights.mean(axis=0)
+    between, *fans = ranged(stations.s, starts, ends, [isinstance(limit, Plane) for limit in limits])
     weights = np.concatenate((affine(section.points), np.eye(3)))
-    lines = whole.lines(weights, np.concatenate((heights, np.tile(middles, (3, 1)))))
-    lines, own = lines[:-3], lines[-3:]
-    axis, first = bending.placed(stations), before.shape[1]
-    leaning = np.arange(heights.shape[1])
-    leaning[first:] += len(axis.u[between])
+    leaning = first, _ = tuple(len(fan.share) for fan in fans)
+    heights, lines = np.empty((len(weights), sum(leaning))), np.empty((len(weights), 4, sum(leaning)))
+    for fan, there in zip(fans, (slice(first), slice(first, None)), strict=True):
+        wide = fan.with_middles()
+        heights[:, there] = wide.heights
+        whole.lines(weights, heights[:, there], wide, lines[..., there])
+    heights, middles, lines, own = heights[:-3], heights[-1], lines[:-3], lines[-3:]
+    axis = bending.placed(stations)
 
     def joined(values, others):
         return np.concatenate((values[:first], others[between], values[first:]))
@@ -114,10 +116,15 @@ def interval(plane, whole, points, side):
 
     Between two heights, of which each line is so far above the plane: two rows, and two.
     """
-    z, above = looked_at(plane, whole, points, side)
-    higher = above >= 0
-    change = higher[:, 1:] != higher[:, :-1]
-    missed = ~change.any(axis=1)
+    looked, most = NEARBY, len(whole.looked_at[0])
+    while True:
+        z, above = looked_at(plane, whole, points, side, looked)
+        higher = above >= 0
+        change = higher[:, 1:] != higher[:, :-1]
+        missed = ~change.any(axis=1)
+        if looked >= most or not missed.any():
+            break
+        looked *= 4
     if missed.any():
         raise ShapeError(f"{ONCE}, got that of point {np.argmax(missed) + 1} not cut")
     first, every = change.argmax(axis=1), np.arange(len(points))
@@ -128,12 +135,12 @@ def interval(plane, whole, points, side):
     return np.stack((z[first], z[first + 1], above[every, first], above[every, first + 1]))
 
 
-def looked_at(plane, whole, points, side):
-    """Heights from beyond an end of the axis to its other end, (k,), and how far each line is above the plane, (m, k).
+def looked_at(plane, whole, points, side, most):
+    """Heights from beyond an end of the axis on, (k,), and how far each line is above the plane, (m, k).
 
-    The first height is beyond all cuts that there are beyond the end.
+    The first height is beyond all cuts that there are beyond the end; not more than so many others follow.
     """
-    z, axes = (part[:: -1 if side else 1] for part in whole.looked_at)
+    z, axes = (part[:: -1 if side else 1][:most] for part in whole.looked_at)
     levels = (axes.reshape(-1, 3) @ plane.across).reshape(-1, 3)
     levels[:, 0] += plane.heights(np.zeros(3))
     above = affine(points) @ levels.T
@@ -175,7 +182,7 @@ def ranged(stations, starts, ends, planes):
     Returns
     -------
     between : slice
-    before, after : (m, k) float array
+    before, after : Fan
     """
     low, high = starts.min(), ends.max()
     close = CLOSEST * stations[-1] / len(stations)
@@ -188,10 +195,10 @@ def ranged(stations, starts, ends, planes):
     kept = upright[~(before | after)]
     if not len(kept):
         share = (upright - low) / (high - low)
-        return slice(0), starts[:, None] + share * (ends - starts)[:, None], np.empty((len(starts), 0))
+        return slice(0), Fan(starts, ends - starts, share), Fan(ends, ends - starts, share[:0])
     begin = np.searchsorted(stations, kept[0])
-    before = kept[0] + np.outer(starts - kept[0], (upright[before] - kept[0]) / (low - kept[0]))
-    after = kept[-1] + np.outer(ends - kept[-1], (upright[after] - kept[-1]) / (high - kept[-1]))
+    before = Fan(kept[0], starts - kept[0], (upright[before] - kept[0]) / (low - kept[0]))
+    after = Fan(kept[-1], ends - kept[-1], (upright[after] - kept[-1]) / (high - kept[-1]))
     return slice(begin, begin + len(kept)), before, after
 
 

@@ -133,14 +133,20 @@ def test_an_arch_stands_on_the_ground_with_both_feet():
     assert (np.abs(ground.heights(mesh.vertices)) < 1e-14).sum() == 128
 
 
-def test_texture_lengths_are_true_on_sides_and_caps():
+@pytest.mark.parametrize("count", [2, 3, 7])
+@pytest.mark.parametrize("start", [Flat(), Plane((0, 0, -0.5), (0.4, 0, 1))])
+@pytest.mark.parametrize("end", [Flat(), Plane((0, 0, 3), (-0.3, 0.5, 1))])
+def test_texture_lengths_are_true_on_sides_and_caps(start, end, count):
     """Of a straight solid all faces lie flat: the area of the texture is that of the surface."""
-    planes = Plane((0, 0, -0.5), (0.4, 0, 1)), Plane((0, 0, 3), (-0.3, 0.5, 1))
-    mesh = PDCurveSweep(Rectangle(0.4, 0.3), UPRIGHT, ALONG_X, *planes, Count(7)).mesh()
+    mesh = PDCurveSweep(Rectangle(0.4, 0.3), UPRIGHT, ALONG_X, start, end, Count(count)).mesh()
     start, following = mesh.uv[np.arange(len(mesh.corners))], mesh.uv[mesh.topology.following]
     cross = (start[:, 0] * following[:, 1] - start[:, 1] * following[:, 0]) / 2
     areas = np.add.reduceat(cross, mesh.offsets[:-1])
     assert np.abs(areas) == pytest.approx(norms(mesh.normals), rel=1e-12)
+
+
+def test_textures_between_planes_reach_from_0_to_1_or_are_left_out():
+    planes = Plane((0, 0, -0.5), (0.4, 0, 1)), Plane((0, 0, 3), (-0.3, 0.5, 1))
     unit = PDCurveSweep(Rectangle(0.4, 0.3), UPRIGHT, ALONG_X, *planes, texture=Texture.UNIT).mesh().uv
     assert unit.min() == 0 and unit.max() == pytest.approx(1)
     assert PDCurveSweep(start=planes[0], texture="none").mesh().uv is None

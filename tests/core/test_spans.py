@@ -9,7 +9,7 @@ from sweep_addon.core.bending import Bending
 from sweep_addon.core.corners import Round
 from sweep_addon.core.directions import Arrows, Cubic, Tilt
 from sweep_addon.core.drawn import affine
-from sweep_addon.core.spans import FEW, MOST_SPANS, spans
+from sweep_addon.core.spans import FEW, MOST_SPANS, Fan, spans
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Polyline, Sampled
 
 LEVEL = Arrows([(0, 0, 0, 1)])
@@ -65,6 +65,20 @@ def test_lines_are_where_a_frame_for_each_place_puts_them(kind, mirrored):
         assert np.abs(pieces.lines(affine(points), z)[:, :3].swapaxes(1, 2) - expected).max() < 2e-12 * size
         line = pieces.line(points, z[:, 0])
         assert np.abs(line(z[:, 0]) - expected[:, 0]).max() < 2e-12 * size
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_lines_of_a_fan_are_where_a_frame_for_each_place_puts_them(kind):
+    """From the ends, from amid a span, and with a base of its own for each line."""
+    axis, rng = bending(kind), np.random.default_rng(4)
+    points, pieces = rng.uniform(-0.5, 0.5, (8, 2)), spans(axis)
+    apart = 0.5 * axis.total + rng.uniform(-0.01, 0.01, 8)
+    for base, most in ((0.02, 0.05), (0.98, 0.05), (0.4, 0.01), (0.4, 0.5), (apart / axis.total, 0.1)):
+        fan = Fan(np.asarray(base) * axis.total, rng.uniform(-most, most, 8) * axis.total, np.linspace(1, 0.1, 30))
+        expected = axis.bend(np.column_stack((np.repeat(points, 30, axis=0), fan.heights.ravel()))).reshape(8, 30, 3)
+        size = max(np.abs(expected).max(), axis.total)
+        found = pieces.lines(affine(points), fan.heights, fan)[:, :3].swapaxes(1, 2)
+        assert np.abs(found - expected).max() < 2e-12 * size
 
 
 def test_there_are_few_spans_and_those_that_are_inexact_say_so():

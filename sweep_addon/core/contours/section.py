@@ -182,6 +182,8 @@ class Section:
     @cached_property
     def islands(self):
         """Tuple of tuples of loop numbers: each island's outer loop, then its holes."""
+        if len(self.offsets) == 2:
+            return ((0,),)
         inner, outer = self.nesting[self.depth[self.nesting[:, 1]] == self.depth[self.nesting[:, 0]] - 1].T
         holes = {int(i): [] for i in np.flatnonzero(self.depth % 2 == 0)}
         for i, j in sorted(zip(outer.tolist(), inner.tolist(), strict=True)):

@@ -34,7 +34,7 @@ def of_pd_curve(shape):
     for side in np.flatnonzero(planes):  # the face there lies in its plane
         across = limits[side].across
         normals[-side] = across * np.sign(across @ normals[-side])
-    leaning = np.isin(np.arange(len(path)), rings.leaning)
+    leaning = np.pad(np.full(len(path) - sum(rings.leaning), False), rings.leaning, constant_values=True)
     end = stations.trajectory.domain[1]
     lattice = Lattice.of_vertices(mesh.chart.grid, mesh.vertices, path, normals, rings.u, end, leaning)
 
