@@ -10,7 +10,7 @@ from ..sweep_addon.core.general_sweep import GeneralSweep
 from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
-from ..sweep_addon.core.shapes import SHAPES
+from ..sweep_addon.core.shapes import SWEPT
 from ..sweep_addon.core.wording import summary
 
 objects = later("bridge.objects")
@@ -26,7 +26,7 @@ class OBJECT_OT_sweep_selected(Operator):
     shape: EnumProperty(
         name="Shape",
         description="What becomes of the selected objects",
-        items=[rna.item(shape, summary(shape)) for shape in SHAPES if objects.carrier(shape) != "body"],
+        items=[rna.item(shape, summary(shape)) for shape in SWEPT if objects.carrier(shape) != "body"],
         default=spelled(GeneralizedCylinder, "_").upper(),
     )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")

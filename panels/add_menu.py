@@ -7,12 +7,15 @@ from bpy.types import Menu
 from ..operators.add_shape import idname
 from ..sweep_addon.core.offset_surface import OffsetSurface
 from ..sweep_addon.core.parameters import spelled
-from ..sweep_addon.core.shapes import CLASSIFICATION, SHAPES
+from ..sweep_addon.core.plant import Plant
+from ..sweep_addon.core.shapes import SWEEPS, SWEPT
 from ..sweep_addon.core.wording import titled
 from ..sweep_addon.presets import PRESETS, title
 from . import previews
 
 GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
+GROWN = "l_system"  # the presets that a menu of their own has, beside that of sweeps
+COLUMNS = 20  # presets one below the other
 
 
 class VIEW3D_MT_sweep_add(Menu):
@@ -22,12 +25,14 @@ class VIEW3D_MT_sweep_add(Menu):
 
     def draw(self, context):
         self.layout.operator_context = "INVOKE_REGION_WIN"
-        for generator, shapes in CLASSIFICATION.items():
+        for generator, shapes in SWEEPS.items():
             self.layout.label(text=generator)
             for shape in shapes:
                 self.layout.operator(idname(shape), icon_value=previews.icon(shape))
+        self.layout.label(text="Grammar")
+        self.layout.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(Plant))
         self.layout.separator()
-        for entry in dict.fromkeys(preset.group or preset for preset in PRESETS):
+        for entry in dict.fromkeys(preset.group or preset for preset in PRESETS if preset.group != GROWN):
             if entry in GROUPS:
                 self.layout.menu(menu_name(entry))
             else:
@@ -50,6 +55,23 @@ def menu_of(group):
     return type(menu_name(group), (Menu,), {"bl_label": title(group), "draw": draw})
 
 
+class VIEW3D_MT_sweep_l_system_add(Menu):
+    """Plants and fractals that a grammar derives"""
+
+    bl_label = "L-System"
+
+    def draw(self, context):
+        self.layout.operator_context = "INVOKE_REGION_WIN"
+        self.layout.operator(idname(Plant), icon_value=previews.icon(Plant))
+        self.layout.separator()
+        presets = [preset for preset in PRESETS if preset.group == GROWN]
+        row = self.layout.row()
+        for first in range(0, len(presets), COLUMNS):
+            column = row.column()
+            for preset in presets[first : first + COLUMNS]:
+                draw_preset(column, preset, title(preset.path.stem))
+
+
 def draw_preset(layout, preset, text):
     layout.operator("mesh.sweep_preset_add", text=text).preset = preset.name.upper()
 
@@ -60,7 +82,7 @@ class VIEW3D_MT_sweep_selected(Menu):
     bl_label = "Sweep Selected"
 
     def draw(self, context):
-        for shape in SHAPES:
+        for shape in SWEPT:
             if shape is OffsetSurface:
                 self.layout.operator("object.sweep_offset_selected", icon_value=previews.icon(shape))
                 continue
@@ -69,12 +91,18 @@ class VIEW3D_MT_sweep_selected(Menu):
             chosen.shape = name
 
 
-MENUS = (*map(menu_of, GROUPS), VIEW3D_MT_sweep_add, VIEW3D_MT_sweep_selected)
+MENUS = (
+    *(menu_of(group) for group in GROUPS if group != GROWN),
+    VIEW3D_MT_sweep_l_system_add,
+    VIEW3D_MT_sweep_add,
+    VIEW3D_MT_sweep_selected,
+)
 
 
 def draw_in_mesh_add(self, context):
     self.layout.separator()
     self.layout.menu("VIEW3D_MT_sweep_add", icon="MOD_SCREW")
+    self.layout.menu("VIEW3D_MT_sweep_l_system_add", icon="OUTLINER_OB_FORCE_FIELD")
 
 
 def draw_in_convert(self, context):

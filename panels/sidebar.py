@@ -10,11 +10,12 @@ from ..operators.edit_as_curve import EDITABLE
 from ..operators.make_solid import OBJECT_OT_sweep_make_solid
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import parameters
+from ..sweep_addon.core.plant import Plant
 from ..sweep_addon.core.resolving import MEETING
 from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes import CLASSIFICATION
 from ..sweep_addon.core.translational_sweep import TranslationalSweep
-from . import previews
+from . import l_system, previews
 from .sentences import sentences
 
 declared_layout, live, objects = later("bridge.layout"), later("properties.live"), later("bridge.objects")
@@ -73,7 +74,8 @@ def hint(context):
 def draw_sweep(layout, context, mesh, say):
     sweep = mesh.sweep
     shape, group = objects.group_of(mesh)
-    if sweep.error:
+    grown = shape is Plant
+    if sweep.error and not (grown and l_system.problems(group)):  # which have places of their own
         say(layout, sweep.error, "ERROR", alert=True)
     if mesh.is_editmode:
         say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
@@ -84,7 +86,10 @@ def draw_sweep(layout, context, mesh, say):
             say(layout, sentence, "INFO")
     column = layout.column(align=True)
     column.label(text=objects.title(shape), icon_value=previews.icon(shape))
-    column.label(text=f"{sweep.rings:,} contours, {len(mesh.polygons):,} faces", icon="BLANK1")
+    counted = "segments" if grown else "contours"
+    column.label(text=f"{sweep.rings:,} {counted}, {len(mesh.polygons):,} faces", icon="BLANK1")
+    if grown:
+        l_system.draw_text(layout, group, say)
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = True
@@ -95,7 +100,10 @@ def draw_sweep(layout, context, mesh, say):
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
     if frames and hasattr(shape, "frames"):
         frames.prop(context.window_manager, "sweep_show_frames")
-    draw_self_intersections(layout, sweep, say)
+    if grown:
+        l_system.draw_constants(layout, group)
+    else:
+        draw_self_intersections(layout, sweep, say)
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
     names = {p.name for p in declared if p.accepts}
@@ -110,7 +118,8 @@ def draw_sweep(layout, context, mesh, say):
         layout.operator("object.sweep_bend")
     row = layout.row(align=True)
     row.operator("object.sweep_apply")
-    row.operator("object.sweep_classify")
+    if not grown:
+        row.operator("object.sweep_classify")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"

@@ -19,6 +19,7 @@ from .core.generalized_cylinder import GeneralizedCylinder
 from .core.offset_surface import OffsetSurface
 from .core.parameters import ShapeError
 from .core.pd_curve_sweep import PDCurveSweep
+from .core.plant import Plant
 from .core.rotational_sweep import RotationalSweep
 from .core.translational_sweep import TranslationalSweep
 
@@ -33,6 +34,7 @@ __all__ = [
     "PDCurve",
     "PDCurveSweep",
     "Placed",
+    "Plant",
     "RigidMotion",
     "Rotation",
     "RotationalSweep",

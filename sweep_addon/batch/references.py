@@ -10,6 +10,7 @@ from ..core import contours, solids, trajectories
 from ..core.corners import Corner, Mitre
 from ..core.csg.known import known
 from ..core.description import table_schema
+from ..core.grammar_text import Grammar
 from ..core.operand import Operand
 from ..core.parameters import (
     ShapeError,
@@ -50,6 +51,13 @@ class Text:
     size: float = length(1.0, "Size of the font, about the distance between lines of a page")
 
 
+@declared
+class GrammarFile:
+    """The text of a grammar"""
+
+    file: str = parameter("", "Path of a text file, relative to the job")
+
+
 def resolve(declared, table, folder):
     """A table with its references replaced by values.
 
@@ -75,6 +83,12 @@ def resolve(declared, table, folder):
         if p.type is Operand:
             table = {**table, **operand_resolved(p, table.get(p.name), folder, files)}
             continue
+        if p.type is Grammar and isinstance(table.get(p.name), dict):
+            with at(p.name):
+                told, path = grammar(table[p.name], Path(folder))
+            table = {**table, p.name: told}
+            files.append(path)
+            continue
         reference = reference_of(p, table.get(p.name))
         if reference:
             with at(p.name):
@@ -82,6 +96,16 @@ def resolve(declared, table, folder):
             table = {**table, p.name: value}
             files.append(path)
     return table, tuple(files)
+
+
+def grammar(reference, folder):
+    """The text of a grammar in a file, and the file."""
+    told = from_table({"reference": GrammarFile}, {"kind": "reference", **reference}, parameters)
+    path = existing(folder / told.file, "file")
+    try:
+        return path.read_text(encoding="utf-8-sig"), path
+    except UnicodeDecodeError:
+        raise ShapeError("must be text in UTF-8", "file") from None
 
 
 def operand_resolved(p, operand, folder, files):
@@ -216,9 +240,12 @@ def with_references(form, declared):
     for p in declared:
         if p.item:
             with_references(form["properties"][p.name]["items"], parameters(p.item))
-        if p.accepts:
+        if p.type is Grammar:
+            text = form["properties"][p.name]
+            form["properties"][p.name] = {"anyOf": [{"type": text.pop("type")}], **text}
+        if p.accepts or p.type is Grammar:
             kinds = (File, Text) if contours.Outline in p.kinds else (File,)
-            for kind in kinds:
+            for kind in (GrammarFile,) if p.type is Grammar else kinds:
                 table = table_schema(kind, parameters(kind))
                 del table["properties"]["kind"]
                 table["required"] = [parameters(kind)[0].name]

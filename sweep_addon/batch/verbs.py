@@ -15,7 +15,7 @@ from pathlib import Path
 from ..core import description, forms
 from ..core.parameters import ShapeError, parameters, require, spelled
 from ..core.self_intersection.places import Places
-from ..core.shapes import SHAPES
+from ..core.shapes import SWEPT
 from . import grammar
 from . import job as jobs
 from .export import MODELS, PICTURES, check_output, save_model, silent
@@ -95,8 +95,8 @@ def check(told):
 
 
 def meeting(shape):
-    """Where a shape meets itself: nowhere, for a tree, whose operands are made solids first."""
-    return shape.self_intersections() if isinstance(shape, SHAPES) else Places(())
+    """Where a sweep meets itself: nowhere, for a tree, whose operands are made solids first, and for what grew."""
+    return shape.self_intersections() if isinstance(shape, SWEPT) else Places(())
 
 
 def describe(told):

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..core.shapes import SWEPT
 from . import objects
 
 
@@ -21,7 +22,7 @@ def told(mesh, searched=True):
     ShapeError
         Where a shape cannot be made.
     """
-    found = (shape.self_intersections() for shape in objects.shapes(mesh))
+    found = (shape.self_intersections() for shape in objects.shapes(mesh) if isinstance(shape, SWEPT))
     sentences = (places.told if searched else places.told_at_once for places in found)
     return tuple(dict.fromkeys(sentence for some in sentences for sentence in some))
 

@@ -4,7 +4,7 @@
 
 from ..core.parameters import inside, parameters, spelled
 from ..core.wording import titled
-from .rna import chosen_kinds, label, listed
+from .rna import ASIDE, chosen_kinds, label, listed
 
 TYPED = 400  # characters of a list that can still be read and typed as text
 
@@ -14,7 +14,7 @@ def draw(layout, group, declared):
 
     Returns the bodies of the open sub-panels, by the groups' names.
     """
-    bodies = {"": layout}
+    bodies, declared = {"": layout}, [p for p in declared if p.type not in ASIDE]  # which have a place of their own
     idle = {p.group for p in declared if p.item and not hasattr(group, p.name)}  # of an operator, which has no lists
     for p in sorted((p for p in declared if p.group not in idle), key=lambda p: bool(p.group)):
         if p.group not in bodies:

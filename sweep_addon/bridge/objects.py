@@ -137,9 +137,12 @@ def is_sweep(ob):
 
 
 def carrier(shape):
-    """The name of the parameter in whose object's space the mesh of a shape's class is: the path, if it has one."""
+    """The name of the parameter in whose object's space the mesh of a shape's class is: the path, if it has one.
+
+    None where nothing stands for objects.
+    """
     names = [p.name for p in parameters(shape)]
-    return next(name for name in ("trajectory", "contour", "body") if name in names)
+    return next((name for name in ("trajectory", "contour", "body") if name in names), None)
 
 
 def suited(shape, given):

@@ -16,12 +16,17 @@ from functools import cache, lru_cache
 import bpy
 import numpy as np
 
+from ..core.grammar_text import Grammar, Values
+from ..core.later import later
 from ..core.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
 from ..core.plain import plain
 from ..core.wording import summary, titled
 
+texts = later("bridge.texts")
+
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
+ASIDE = (Grammar, Values)  # a group has a text and sliders for them, an operator hidden text
 SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 
 
@@ -30,7 +35,7 @@ def annotations(declared, pointers=False, update=None):
     made = {}
     for p in declared:
         if not p.item:
-            made |= annotated(p, p.name, pointers and bool(p.accepts), update)
+            made |= annotated(p, p.name, pointers and (bool(p.accepts) or p.type in ASIDE), update)
         elif pointers:
             made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **told(p))
     return made
@@ -39,6 +44,8 @@ def annotations(declared, pointers=False, update=None):
 @cache
 def annotated(p, name, pointers, update):
     """The properties of one parameter and of its kinds, shared by all that have it: most of a shape's are another's."""
+    if p.type in ASIDE and pointers:
+        return held_aside(p, name, update)
     made = {name: define(p, pointers, update)}
     for kind in p.kinds:
         for q in inside(p, kind):
@@ -47,6 +54,24 @@ def annotated(p, name, pointers, update):
         poll = only(p.accepts)
         made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, update=update, **told(p))
     return made
+
+
+VALUES = type(
+    "SWEEP_PG_values",
+    (bpy.types.PropertyGroup,),
+    {"__doc__": "Numbers whose names a text gives, each a property of the group that only it has"},
+)
+
+
+def held_aside(p, name, update):
+    """The properties of a text, which a text of the file holds too, or of the numbers in one."""
+    if p.type is Values:
+        return {name: bpy.props.PointerProperty(type=VALUES, **told(p))}
+    text = bpy.props.PointerProperty(type=bpy.types.Text, update=update, **told(p))
+    understood = bpy.props.StringProperty(
+        options={"HIDDEN"}, name="Understood", description="The last text without a mistake"
+    )
+    return {name: define(p, False, update), f"{name}_text": text, f"{name}_understood": understood}
 
 
 def told(p):
@@ -64,7 +89,9 @@ def item_group(kind, update):
 
 def define(p, pointers, update):
     """The property of one parameter."""
-    common = {**told(p), "default": stored(p, p.default), "update": update}
+    common = {**told(p), "default": stored(p, p.shown if p.default is None else p.default), "update": update}
+    if p.type in ASIDE:
+        return bpy.props.StringProperty(options={"HIDDEN"}, **common)
     if p.kinds or isinstance(p.type, EnumMeta):
         items = [item(kind, summary(kind)) for kind in p.kinds]
         items = items or [item(member, member.value) for member in p.type]
@@ -111,7 +138,7 @@ def stored(p, value):
         return spelled(type(value), "_").upper()
     if isinstance(p.type, EnumMeta):
         return value.name
-    return json.dumps(plain(value)) if p.is_list else value
+    return json.dumps(plain(value)) if p.is_list or p.type is Values else value
 
 
 def meant(p, held):
@@ -122,6 +149,8 @@ def meant(p, held):
         return {"kind": spelled(kind)} | {q.name: meant(q, v) for q, v in zip(inside(p, kind), values, strict=True)}
     if p.is_list:
         return listed(held)
+    if p.type is Values:
+        return listed(held) if isinstance(held, str) else dict(held)
     if isinstance(p.type, EnumMeta):
         return held.lower().replace("_", "-")
     if p.type is float:
@@ -142,7 +171,7 @@ def listed(text):
 
 def decimal(single, *declared):
     """The number that a person meant by a float32: a declared one, or the shortest decimal."""
-    return next((n for n in declared if np.float32(n) == single), float(str(np.float32(single))))
+    return next((n for n in declared if n is not None and np.float32(n) == single), float(str(np.float32(single))))
 
 
 def read(group, shape, resolve=None):
@@ -199,6 +228,8 @@ def raw(group, p, name):
     held = getattr(group, name, ()) if p.item else getattr(group, name)  # an operator has no lists
     if isinstance(p.default, tuple) and not p.is_list:
         return tuple(held)
+    if p.type is Values and not isinstance(held, str):
+        return texts.numbers(held)
     kind = chosen_kinds(p).get(held) if p.kinds else None
     if kind is None:
         return held
@@ -287,6 +318,9 @@ def write(group, declared, value, prefix=""):
             held.clear()
             for item in part:
                 write(held.add(), parameters(p.item), item)
+            continue
+        if p.type in ASIDE and not isinstance(group, bpy.types.Operator):
+            (texts.hold if p.type is Grammar else texts.turn)(group, part)
             continue
         setattr(group, name, stored(p, part))
         if p.kinds:

@@ -2,15 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Descriptions: what a shape may be told, as rows for people and as a JSON Schema for editors."""
 
+import json
 from dataclasses import replace
 from enum import EnumMeta
 from math import inf, isfinite
 from typing import NamedTuple, get_args, get_origin
 
 from .forms import VERSION, plain, scalar, tidy
+from .grammar_text import Grammar, Values
 from .parameters import Array, inside, parameters, spelled
 from .wording import longest, summary, within
 
+WORDS = {Grammar: "text", Values: "table of numbers"}
+SCHEMAS = {Grammar: {"type": "string"}, Values: {"type": "object", "additionalProperties": {"type": "number"}}}
 UNITS = {None: "", "length": "m", "angle": "rad"}
 
 
@@ -57,14 +61,14 @@ def markdown(cls):
     lines = ["| parameter | takes | default | meaning |", "|---|---|---|---|"]
     for row in describe(cls):
         took = ", ".join(filter(None, (row.takes, row.limits))).replace("|", "or")
-        default = toml_value(row.default)
+        default = "" if row.default is None else toml_value(row.default)
         lines.append(f"| `{row.key}` | {took} | {default} | {row.doc} |")
     return "\n".join(lines)
 
 
 def toml_value(value):
     """A default as a table has room for it: of a long list only how it starts."""
-    text = tidy(value, scalar, 0)
+    text = json.dumps(value) if isinstance(value, (str, dict)) else tidy(value, scalar, 0)
     return text if len(text) <= 40 else f"{text[:36]} ..."
 
 
@@ -81,7 +85,7 @@ def rows(declared, path):
 def short(p):
     """The default of a parameter, of a choice its kind alone."""
     default = plain(p.default)
-    return default["kind"] if isinstance(default, dict) else default
+    return default["kind"] if p.kinds and isinstance(default, dict) else default
 
 
 def shorthand(kind):
@@ -105,7 +109,7 @@ def takes(p):
         inner = get_args(p.type)
         return f"list of lists of {row}" if inner[1:] == (...,) else f"list of {len(inner)} numbers"
     if hasattr(p.type, "coerced"):
-        return "shape, solid or tree"
+        return WORDS.get(p.type, "shape, solid or tree")
     return {int: "whole number", float: "number", bool: "true | false", str: "text"}[p.type]
 
 
@@ -151,7 +155,8 @@ def table_of(known, description):
 
 def value_schema(p):
     """The schema of the value of one parameter."""
-    said = {"description": ", ".join(filter(None, (p.doc, limits(p)))), "default": plain(p.default)}
+    said = {"description": ", ".join(filter(None, (p.doc, limits(p))))}
+    said |= {} if p.default is None else {"default": plain(p.default)}
     if not p.kinds:
         return said | type_schema(p)
     tables = [table_schema(kind, inside(p, kind)) for kind in p.kinds]
@@ -166,7 +171,7 @@ def type_schema(p):
         table = table_of({q.name: value_schema(q) for q in parameters(p.item)}, summary(p.item))
         return {"type": "array", "items": table} | ({"maxItems": p.most} if isfinite(p.most) else {})
     if hasattr(p.type, "coerced"):
-        return {"type": "object", "required": ["kind"]}
+        return SCHEMAS.get(p.type, {"type": "object", "required": ["kind"]})
     if p.type is Array:
         row = {"type": "array", "items": {"type": "number"}, "minItems": p.columns, "maxItems": p.columns}
         most = {"maxItems": p.most} if isfinite(p.most) else {}

@@ -22,6 +22,7 @@ KEY = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
 LONG_KEY = re.compile(rf"(?<![\w-]){KEY}(?:[ \t]*+\.[ \t]*+{KEY}){{{DEEPEST}}}")  # tomllib takes time as its square
 BARE = re.compile(r"""^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{#][^"'#]*)""")
 BARE_INSIDE = re.compile(r"""[{,][ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{},#][^"'\[\]{},#=]*)""")
+LINES = re.compile(r"[^\x00-\x08\x0b-\x1f\x7f]*(?<!')")  # what TOML holds between three quotes
 VALUE = re.compile(r"[+-]?(?:[\d_]+(?:\.[\d_]+)?(?:[eE][+-]?\d+)?|inf|nan|0[xob]\w+)|true|false|\d{4}-\d\d.*|\d\d:.*")
 
 
@@ -171,12 +172,18 @@ def holds_tables(value):
 
 
 def scalar(value):
-    """A number, a text, true or false: JSON writes them as TOML does, but for one character."""
+    """A number, a text, true or false: JSON writes them as TOML does, but for one character; lines of text as lines."""
+    if isinstance(value, str) and "\n" in value and "'''" not in value and LINES.fullmatch(value):
+        return f"'''\n{value}'''"
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def literal(value):
     """A plain value that is no list, as Python writes it."""
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{literal(key)}: {literal(held)}' for key, held in value.items())}}}"
+    if isinstance(value, str) and "\n" in value and "'''" not in value and LINES.fullmatch(value):
+        return f"r'''{value}'''" if not value.endswith("\\") else repr(value)
     return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
 
 

@@ -118,7 +118,7 @@ class Parameter:
 
     name: str
     type: object
-    default: object = None
+    default: object = None  # None: another parameter says it, or what it holds
     doc: str = ""
     unit: str | None = None  # "length" in metres, "angle" in radians
     minimum: float = -inf
@@ -130,6 +130,7 @@ class Parameter:
     others: dict | None = None  # kinds, and defaults of theirs that are others here
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
+    shown: object = None  # what a property of Blender, which knows no None, has for a default that is None
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
     group: str = ""  # the sub-panel of the sidebar it is drawn in
 
@@ -226,6 +227,8 @@ def changed(p, **words):
 
 def coerce(p, value):
     """The value that was meant, or a `ShapeError`."""
+    if value is None and p.default is None:
+        return None
     if p.type is float or p.type is int:
         return coerce_number(p, value)
     if p.kinds:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The plain form of a value between Python, job files and Blender: the tables, lists, numbers and text of TOML."""
 
+from collections.abc import Mapping
 from dataclasses import is_dataclass
 from enum import Enum
 
@@ -24,6 +25,8 @@ def plain(value):
         return value.values.tolist()
     if isinstance(value, tuple):
         return [held(item) if is_dataclass(item) else plain(item) for item in value]
+    if isinstance(value, Mapping):
+        return dict(value)
     if not is_dataclass(value):
         return value
     table = held(value)

@@ -8,11 +8,14 @@ from .generalized_cylinder import GeneralizedCylinder
 from .offset_surface import OffsetSurface
 from .parameters import spelled
 from .pd_curve_sweep import PDCurveSweep
+from .plant import Plant
 from .rotational_sweep import RotationalSweep
 from .translational_sweep import TranslationalSweep
 
 PLANAR = (TranslationalSweep, RotationalSweep, PDCurveSweep, GeneralizedCylinder)  # in the lecture's order
 SOLID = (CanalSurface, OffsetSurface)
-CLASSIFICATION = {"Planar Generator": PLANAR, "Solid Generator": SOLID, "Any Generator": (GeneralSweep,)}
+SWEEPS = {"Planar Generator": PLANAR, "Solid Generator": SOLID, "Any Generator": (GeneralSweep,)}
+SWEPT = tuple(shape for shapes in SWEEPS.values() for shape in shapes)
+CLASSIFICATION = SWEEPS | {"Grammar": (Plant,)}
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

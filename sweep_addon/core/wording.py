@@ -64,7 +64,9 @@ def spelled(kind, joint="-"):
 
 def titled(kind):
     """The name of a class (PDCurveSweep) or of an Enum's member as people read it (PD Curve Sweep)."""
-    return spelled(kind, " ").title() if isinstance(kind, Enum) else WORDS.sub(" ", kind.__name__)
+    if isinstance(kind, Enum):
+        return spelled(kind, " ").title()
+    return getattr(kind, "TITLE", None) or WORDS.sub(" ", kind.__name__)
 
 
 def longest(most, columns, items=False):

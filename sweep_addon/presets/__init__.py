@@ -41,7 +41,7 @@ class Preset:
 
 def title(name):
     """The name of a preset for people."""
-    return name.replace("_", " ").title().replace("Csg", "CSG")
+    return name.replace("_", " ").title().replace("Csg", "CSG").replace("L System", "L-System")
 
 
 def found():

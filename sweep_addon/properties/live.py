@@ -10,10 +10,12 @@ from ..core.later import later
 from ..core.parameters import ShapeError
 from ..core.plain import VERSION
 
+texts = later("bridge.texts")
 joined = later("core.joining", "joined")
 digest = later("core.digest", "digest")
 
 AWAITED = "AWAITED"
+GROWN = "PLANT"  # the kind whose parameters are in a text
 SHAPE_KEYS = "The mesh has shape keys, which a new mesh would lose: remove them, or Apply to keep the mesh as it is"
 
 
@@ -30,6 +32,8 @@ def rebuild(mesh, depsgraph=None):
     sweep = mesh.sweep
     if sweep.kind == "NONE" or mesh.is_editmode:
         return
+    if sweep.kind == GROWN:
+        texts.follow(mesh)
     try:
         if mesh.shape_keys:
             raise ShapeError(SHAPE_KEYS)

@@ -68,7 +68,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     }
 
 
-CLASSES = (*ITEMS, *GROUPS.values(), SWEEP_PG_sweep)
+CLASSES = (rna.VALUES, *ITEMS, *GROUPS.values(), SWEEP_PG_sweep)
 
 
 def register():

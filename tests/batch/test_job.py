@@ -178,3 +178,19 @@ def test_any_name_of_a_file_is_refused_in_one_sentence(name):
     with pytest.raises(ShapeError) as refusal:
         resolve(parameters(GeneralizedCylinder), {"contour": {"file": f"{name}.nothing"}}, Path("nowhere"))
     assert refusal.value.key == "contour.file" and "\n" not in str(refusal.value)
+
+
+def test_the_text_of_a_grammar_may_be_a_file_beside_the_job(tmp_path):
+    (tmp_path / "koch.l").write_text("axiom: F\nF -> F+F--F+F\n")
+    (tmp_path / "koch.toml").write_text('kind = "plant"\nsystem = { file = "koch.l" }\ngenerations = 2\n')
+    shape = jobs.read(tmp_path / "koch.toml").shape
+    assert shape.system == "axiom: F\nF -> F+F--F+F\n" and len(shape.mesh().edges) > 0
+    (tmp_path / "koch.toml").write_text('kind = "plant"\n\nsystem = { file = "none.l" }\n')
+    with pytest.raises(ShapeError, match=r"koch.toml:3: system.file: must be a file that exists, got "):
+        jobs.read(tmp_path / "koch.toml")
+
+
+def test_a_mistake_in_a_grammar_is_told_with_the_line_of_the_job_and_its_own(tmp_path):
+    (tmp_path / "koch.toml").write_text("kind = \"plant\"\nsystem = '''\naxiom: F[\n'''\n")
+    with pytest.raises(ShapeError, match=r"koch.toml:2: system: line 1, column 9: expected '\]' after it"):
+        jobs.read(tmp_path / "koch.toml")

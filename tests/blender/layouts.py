@@ -46,7 +46,7 @@ class Layout:
 
     prop_menu_enum = prop
 
-    def menu(self, name, text="", icon="NONE"):
+    def menu(self, name, text="", icon="NONE", icon_value=0):
         assert hasattr(bpy.types, name)
         self.drawn.append(name)
 

@@ -63,7 +63,7 @@ def test_numbers_have_unit_limits_and_default_of_the_declaration(shape):
                 continue
             found = known[name]
             assert found.type == {int: "INT", float: "FLOAT"}[p.type] and found.unit == units[p.unit]
-            assert found.default == pytest.approx(p.default)
+            assert found.default == pytest.approx(p.shown if p.default is None else p.default)
             widest = 2**31 - 1 if p.type is int else float(np.finfo(np.float32).max)
             assert found.hard_min == pytest.approx(max(p.minimum, p.above, -widest))
             assert found.hard_max == pytest.approx(min(p.maximum + 1, widest))
@@ -74,8 +74,9 @@ def test_numbers_have_unit_limits_and_default_of_the_declaration(shape):
 def test_lists_are_hidden_text_and_everything_else_can_be_keyed(shape):
     for known in groups(shape):
         for name, p in properties(shape).items():
-            assert known[name].is_hidden == p.is_list
-            assert known[name].is_animatable or p.is_list
+            aside = p.type in rna.ASIDE  # a text, and the values of its constants
+            assert known[name].is_hidden == p.is_list or aside
+            assert known[name].is_animatable or p.is_list or aside
 
 
 def test_unions_are_enums_of_their_kinds_and_of_an_object_where_one_can_be_read(shape):

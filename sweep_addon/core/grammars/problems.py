@@ -69,9 +69,13 @@ class GrammarError(ShapeError):
                     ^
     """
 
-    def __init__(self, problems):
+    def __init__(self, problems, key=""):
         self.problems = tuple(sorted(problems, key=lambda problem: (problem.line, problem.column)))
         told = [str(problem) for problem in self.problems[:MOST]]
         if len(self.problems) > MOST:
             told.append(f"and {len(self.problems) - MOST} more")
-        super().__init__("\n".join(told))
+        super().__init__("\n".join(told), key)
+
+    def inside(self, key):
+        """The same refusal, of a text that is at a key of a larger value."""
+        return GrammarError(self.problems, ".".join(filter(None, (key, self.key))))

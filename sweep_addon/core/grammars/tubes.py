@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes of figures: edges alone, or a closed tube along each axis, mitred where it turns."""
 
+from functools import cached_property
+
 import numpy as np
 
+from ..digest import checksum
 from ..mesh import Mesh, Topology, require_few
 from ..parameters import require
 
@@ -14,18 +17,20 @@ SIDE, CAP = 0, 1  # material slots
 class Chart:
     """What vertices of a figure's mesh know of the segments they belong to; it has no texture coordinates."""
 
-    keys = ()
+    def __init__(self, values, rings):
+        self.values, self.rings = values, rings
 
-    def __init__(self, values):
-        self.values = values
+    @cached_property
+    def keys(self):
+        return "", checksum(*self.values.values()), ""
 
-    def uv(self):
+    def uv(self, dtype=np.float64, empty=np.empty):
         return None
 
-    def along(self):
-        return self.values
+    def along(self, dtype=np.float64):
+        return {name: value.astype(dtype, copy=False) for name, value in self.values.items()}
 
-    def across(self):
+    def across(self, dtype=np.float64):
         return {}
 
 
@@ -47,7 +52,7 @@ def wires(figure):
     none = np.zeros(0, dtype=np.int32)
     topology = Topology(none, np.zeros(1, np.int32), edges, none, np.zeros(count, dtype=bool), none)
     of = np.concatenate((np.arange(count), np.flatnonzero(own)))
-    return Mesh(np.concatenate((figure.end, figure.start[own])), topology, Chart(attributes(figure, of)))
+    return Mesh(np.concatenate((figure.end, figure.start[own])), topology, Chart(attributes(figure, of), count))
 
 
 def attributes(figure, segment):
@@ -78,7 +83,7 @@ def tubes(figure, sides):
     offsets *= (figure.width[segment] / 2)[:, None, None]
     vertices = (points[:, None] + offsets).reshape(-1, 3)
     topology = laid(lower.astype(np.int32), lower[begins], lower[ends] + 1, rings, sides)
-    return Mesh(vertices, topology, Chart(attributes(figure, np.repeat(segment, sides))))
+    return Mesh(vertices, topology, Chart(attributes(figure, np.repeat(segment, sides)), len(order)))
 
 
 def frames(figure, order, begins):

@@ -34,10 +34,12 @@ class Walk:
         Interpreted.
     upright : bool or None
         Whether it starts upwards; None where the system decides.
+    system : LSystem, optional
+        Whose angle, step, width and tropism count; else that of the word.
     """
 
-    def __init__(self, word, upright=None):
-        self.word, self.symbols, self.system = word, word.symbols, word.tables.system
+    def __init__(self, word, upright=None, system=None):
+        self.word, self.symbols, self.system = word, word.symbols, system or word.tables.system
         self.named = {}
         for number, (name, count) in enumerate(word.tables.symbols):
             self.named.setdefault(name, []).append((number, count))

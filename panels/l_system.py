@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the sidebar shows of an L-system beside its parameters: its text, what is wrong in it, and its constants."""
+
+from ..sweep_addon.core.later import later
+
+growing = later("core.growing")
+
+MOST_PROBLEMS = 6  # that are shown; one is mended at a time
+UNITS = {"angle": " (deg)"}
+
+
+def problems(group):
+    """What is wrong in the text of a mesh's grammar."""
+    return growing.problems(group.system)
+
+
+def draw_text(layout, group, say):
+    """The text that people edit, and each line of it that is wrong."""
+    row = layout.row(align=True)
+    row.template_ID(group, "system_text", new="object.sweep_grammar_text_new", open="text.open")
+    row.operator("object.sweep_grammar_edit", text="", icon="GREASEPENCIL").line = 0
+    if group.system_text is None:
+        say(layout, "The text is not there any more: New makes one of what is remembered of it.", "INFO")
+    found = problems(group)
+    for problem in found[:MOST_PROBLEMS]:
+        box = layout.box().column(align=True)
+        box.alert = True
+        head = box.row()
+        head.label(text=f"Line {problem.line}: {problem.source.strip()}", icon="ERROR")
+        go = head.operator("object.sweep_grammar_edit", text="", icon="VIEWZOOM", emboss=False)
+        go.line, go.column = problem.line, problem.column
+        say(box, f"Column {problem.column}: expected {problem.expected}, found {problem.found}", "BLANK1")
+    if len(found) > MOST_PROBLEMS:
+        say(layout, f"There are {len(found) - MOST_PROBLEMS} more.", "BLANK1")
+
+
+def draw_constants(layout, group):
+    """A slider for each constant, and the values of those that follow from others."""
+    free = {} if problems(group) else growing.free(group.system)
+    if not free:
+        return
+    header, body = layout.panel("sweep_constants")
+    header.label(text="Constants")
+    header.operator("object.sweep_grammar_reset", text="", icon="LOOP_BACK", emboss=False)
+    if body is None:
+        return
+    column = body.column(align=True)
+    for name, constant in free.items():
+        if name in group.constants:
+            column.prop(group.constants, f'["{name}"]', text=name + UNITS.get(constant.unit, ""))

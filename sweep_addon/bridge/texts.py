@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grammars in texts of Blender, where people edit them, and the constants in them as properties that can be animated.
+
+The mesh keeps its own copy of the text, so that it outlives the text. Numbers that nobody has turned follow the text.
+"""
+
+import bpy
+import numpy as np
+
+from ..core import growing
+from ..core.grammar_text import Grammar
+from ..core.parameters import ShapeError
+from ..core.plant import SAID
+from . import rna
+
+LARGEST = 2**31 - 1  # whole number of a property
+SUBTYPES = {"length": "DISTANCE"}
+STEP = 1.0  # hundredths of the value, by which a pixel changes a number without a range
+
+
+def numbers(values):
+    """What the properties of constants hold: a tuple of names and numbers."""
+    return tuple((name, meant(value)) for name, value in values.items() if isinstance(value, (int, float)))
+
+
+def meant(value):
+    """The number that is meant by one that animation may have made single."""
+    return float(str(np.float32(value))) if np.float32(value) == value else float(value)
+
+
+def hold(group, text):
+    """Put the text of a grammar into a mesh's parameters, and into a text of the file for people to edit."""
+    group.system = group.system_understood = text
+    held = group.system_text
+    if held is None or held.as_string() != text:
+        held = bpy.data.texts.new(group.id_data.name)
+        held.from_string(text)
+        held.use_fake_user = False  # it goes with the last mesh that is made of it
+        group.system_text = held
+
+
+def turn(group, values):
+    """Give the constants of a group's grammar their properties, some of them with other values than the text's."""
+    sliders(group.constants, {}, growing.free(Grammar(group.system)))
+    for name, value in values.items():
+        group.constants[name] = value
+
+
+def follow(mesh):
+    """Read the text of a mesh's grammar, if somebody has changed it, and make the mesh anew."""
+    group = mesh.sweep.plant
+    held = group.system_text
+    if held is None or held.as_string() == group.system:
+        return
+    with rna.at_once(mesh.sweep):
+        group.system = held.as_string()
+        settle(group)
+
+
+def settle(group):
+    """Let numbers follow a new text that nobody has turned since the last one; not while it has mistakes."""
+    try:
+        text = Grammar.coerced(group.system)
+        new, free = growing.read(text), growing.free(text)
+    except ShapeError:
+        return
+    before = Grammar(group.system_understood)
+    old, known = (growing.read(before), growing.free(before)) if before else (None, {})
+    for name in SAID:
+        if old is None or np.float32(getattr(old, name)) == np.float32(getattr(group, name)):
+            setattr(group, name, min(getattr(new, name), LARGEST))
+    sliders(group.constants, known, free)
+    group.system_understood = text
+
+
+def reset(mesh):
+    """Give all numbers the values that the text says."""
+    group = mesh.sweep.plant
+    with rna.at_once(mesh.sweep):
+        for name in list(group.constants.keys()):
+            del group.constants[name]
+        group.system_understood = ""
+        settle(group)
+
+
+def sliders(values, known, free):
+    """Let a group have a property for each constant; one that was turned, and is still there, keeps its value.
+
+    Parameters
+    ----------
+    values : SWEEP_PG_values
+    known, free : dict of str to Constant
+        Those of the text before, and of the text now.
+    """
+    for name in [name for name in values.keys() if name not in free]:
+        del values[name]
+    for name, constant in free.items():
+        turned = name in values and (name not in known or meant(values[name]) != known[name].value)
+        values[name] = float(values[name]) if turned else constant.value  # a script may have given a whole number
+        low, high = (constant.low, constant.high) if constant.low is not None else (-1e6, 1e6)
+        size = high - low if constant.low is not None else abs(constant.value) or 1.0
+        values.id_properties_ui(name).update(
+            default=constant.value,
+            soft_min=low,
+            soft_max=high,
+            step=STEP * size,
+            precision=3,
+            subtype=SUBTYPES.get(constant.unit, "NONE"),
+            description=constant.doc or f"The constant {name} of the grammar",
+        )

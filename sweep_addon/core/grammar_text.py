@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The text of a grammar, and values for the constants in it, as parameters of a shape."""
+
+from collections.abc import Mapping
+from math import inf
+from numbers import Real
+
+from .parameters import ShapeError, require
+from .wording import named, shown
+
+
+class Grammar(str):
+    """A text, which whoever needs the system in it reads; from an `LSystem` it is the system's own.
+
+    >>> Grammar.coerced("axiom: F\\r\\n")
+    'axiom: F\\n'
+    """
+
+    __slots__ = ()
+
+    @classmethod
+    def coerced(cls, value):
+        """The text from a text or a system, its lines ended as on any machine."""
+        if hasattr(value, "axiom"):
+            value = str(value)
+        require(isinstance(value, str), "must be the text of a grammar", value)
+        return cls(value.replace("\r\n", "\n").replace("\r", "\n"))
+
+
+class Values(Mapping):
+    """Numbers by name, which compare and hash by what they are.
+
+    >>> Values.coerced({"r": 1}) == Values.coerced({"r": 1.0})
+    True
+    """
+
+    def __init__(self, values=()):
+        self.held = dict(values)
+
+    @classmethod
+    def coerced(cls, value):
+        """Values from a table of numbers."""
+        require(isinstance(value, Mapping), "must be a table of numbers", value)
+        for name, number in value.items():
+            if not isinstance(number, Real) or isinstance(number, bool) or not abs(number) < inf:
+                raise ShapeError(f"must be a number, got {shown(number)}", named(name))
+        return cls({str(name): float(number) + 0.0 for name, number in value.items()})
+
+    def __getitem__(self, name):
+        return self.held[name]
+
+    def __iter__(self):
+        return iter(self.held)
+
+    def __len__(self):
+        return len(self.held)
+
+    def __hash__(self):
+        return hash(frozenset(self.held.items()))
+
+    def __repr__(self):
+        return repr(dict(sorted(self.held.items())))

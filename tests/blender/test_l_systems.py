@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""L-systems in Blender: a text that people edit, sliders of its constants, and a mesh that follows both."""
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from scenes import places, select
+
+import sweep_addon as sw
+from sweep_addon.bridge import texts
+from sweep_addon.properties.live import rebuild
+
+TREE = """#define l 1      # 0.5 .. 2 m how long the stem is
+#define a 30     # 0 .. 90 deg how far branches lean
+#define half l/2
+#generations 1
+axiom: A
+A -> F(l) [+(a) F(half)] F(l)
+"""
+
+
+def plant(text=TREE, **given):
+    """A plant of edges in the scene, whose places tell what it was made from."""
+    return sw.to_object(sw.Plant(text, output="edges", **given))
+
+
+def parameters_of(ob):
+    return ob.data.sweep.plant
+
+
+def height(ob):
+    return float(np.ptp(places(ob.data)[:, 0]))
+
+
+def edit(ob, old, new):
+    """Change the text as a person does, and wait until it is looked at."""
+    held = parameters_of(ob).system_text
+    held.from_string(held.as_string().replace(old, new))
+    rebuild(ob.data)
+
+
+def test_the_text_of_a_plant_is_a_text_of_the_file(scene):
+    ob = plant()
+    assert parameters_of(ob).system_text.as_string() == TREE
+    assert sw.from_object(ob) == sw.Plant(TREE, output="edges")
+    assert height(ob) == pytest.approx(2)
+
+
+def test_constants_are_sliders_with_range_unit_and_words(scene):
+    values = parameters_of(plant()).constants
+    assert dict(values.items()) == {"l": 1.0, "a": 30.0}  # the other follows from them
+    told = values.id_properties_ui("l").as_dict()
+    assert (told["soft_min"], told["soft_max"], told["default"]) == (0.5, 2.0, 1.0)
+    assert (told["description"], told["subtype"]) == ("how long the stem is", "DISTANCE")
+
+
+def turned(ob, name, value):
+    """Turn a constant as its slider does, which tells Blender that the mesh has changed."""
+    parameters_of(ob).constants[name] = value
+    ob.data.update_tag()
+    bpy.context.view_layer.update()
+
+
+def test_a_slider_makes_the_mesh_anew(scene):
+    ob = plant()
+    turned(ob, "l", 1.5)
+    assert height(ob) == pytest.approx(3)
+    assert sw.from_object(ob).constants == {"l": 1.5}
+
+
+def test_an_edited_text_makes_the_mesh_anew(scene):
+    ob = plant()
+    edit(ob, "F(l) [", "F(l) F(l) [")
+    assert height(ob) == pytest.approx(3)
+
+
+def test_a_text_with_mistakes_leaves_the_mesh_and_says_where(scene):
+    ob = plant()
+    edit(ob, "[+(a)", "[+(a")
+    assert height(ob) == pytest.approx(2)
+    assert "line 6" in ob.data.sweep.error
+    edit(ob, "[+(a", "[+(a)")
+    assert ob.data.sweep.error == ""
+
+
+def test_a_constant_that_was_turned_keeps_its_value_in_another_text_and_the_others_follow_it(scene):
+    ob = plant()
+    turned(ob, "l", 1.5)
+    edit(ob, "#define a 30", "#define a 45")
+    edit(ob, "#define l 1 ", "#define l 1.2 ")
+    assert dict(parameters_of(ob).constants.items()) == {"l": 1.5, "a": 45.0}
+    edit(ob, "#define half l/2", "#define half 0.2")
+    assert parameters_of(ob).constants["half"] == 0.2
+    edit(ob, "#define half 0.2\n", "")
+    assert "half" in ob.data.sweep.error  # it is needed
+    edit(ob, "F(half)", "F")
+    assert "half" not in parameters_of(ob).constants and ob.data.sweep.error == ""
+
+
+def test_the_number_of_steps_follows_the_text_until_it_is_turned(scene):
+    ob = plant()
+    edit(ob, "#generations 1", "#generations 0")
+    assert parameters_of(ob).generations == 0 and len(ob.data.vertices) == 0
+    parameters_of(ob).generations = 1
+    edit(ob, "#generations 0", "#generations 5")
+    assert parameters_of(ob).generations == 1 and len(ob.data.vertices)
+
+
+def test_reset_gives_all_numbers_the_values_of_the_text(scene):
+    ob = plant(generations=0, constants={"l": 2})
+    texts.reset(ob.data)
+    assert sw.from_object(ob) == sw.Plant(TREE, output="edges")
+
+
+def test_constants_follow_keyframes_and_drivers(scene):
+    ob = plant()
+    path = 'sweep.plant.constants["l"]'
+    for frame, value in ((1, 1.0), (11, 2.0)):
+        parameters_of(ob).constants["l"] = value
+        ob.data.keyframe_insert(path, frame=frame)
+    for frame, value in ((1, 2), (11, 4)):
+        scene.frame_set(frame)
+        assert height(ob) == pytest.approx(value)
+    other = plant()
+    other.data.driver_add(path).driver.expression = "frame"
+    scene.frame_set(2)
+    assert height(other) == pytest.approx(4)
+
+
+def test_a_deleted_text_is_remembered(scene):
+    ob = plant()
+    bpy.data.texts.remove(parameters_of(ob).system_text)
+    turned(ob, "l", 2)
+    assert height(ob) == pytest.approx(4)
+    select(ob)
+    bpy.ops.object.sweep_grammar_text_new()
+    assert parameters_of(ob).system_text.as_string() == TREE
+
+
+def test_a_copy_shares_the_text_and_has_constants_of_its_own(scene):
+    ob = plant()
+    copy = ob.copy()
+    copy.data = ob.data.copy()
+    scene.collection.objects.link(copy)
+    turned(copy, "l", 2)
+    assert height(ob) == pytest.approx(2) and height(copy) == pytest.approx(4)
+    edit(ob, "F(l) [", "[")
+    rebuild(copy.data)
+    assert height(ob) == pytest.approx(1) and height(copy) == pytest.approx(2)
+
+
+def test_a_file_keeps_text_constants_and_mesh(scene, tmp_path):
+    ob = plant(constants={"l": 1.5})
+    shape, path = sw.from_object(ob), str(tmp_path / "plant.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    ob = next(ob for ob in bpy.data.objects if ob.type == "MESH")
+    assert sw.from_object(ob) == shape and height(ob) == pytest.approx(3)
+    assert parameters_of(ob).system_text.as_string() == TREE
+    turned(ob, "l", 2)
+    assert height(ob) == pytest.approx(4)
+
+
+def test_an_appended_plant_brings_its_text(scene, tmp_path):
+    path = str(tmp_path / "library.blend")
+    bpy.data.libraries.write(path, {plant()})
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    bpy.ops.wm.append(directory=f"{path}/Object/", filename="L-System")
+    ob = bpy.data.objects["L-System"]
+    edit(ob, "F(l) [", "[")
+    assert height(ob) == pytest.approx(1)
+
+
+def test_too_large_a_word_is_refused_with_its_size_and_the_mesh_stays(scene):
+    ob = plant("axiom: F\nF -> FF", generations=3)
+    parameters_of(ob).generations = 40
+    assert "1,099,511,627,776" in ob.data.sweep.error and len(ob.data.edges) == 8
