@@ -138,6 +138,11 @@ BALLS = {
     "canal": sw.CanalSurface(CURVED, 0.2, samples=FINE),
     "canal that grows": sw.CanalSurface(UP, "0.1 + 0.3*t", samples=FINE),
     "canal that swallows balls": sw.CanalSurface(UP, "0.1 + 1.2*t^3", samples=FINE),
+    "canal with flat ends": sw.CanalSurface(CURVED, "0.1 + 0.15*t", samples=FINE, start="flat", end="flat"),
+    "canal with a flat end": sw.CanalSurface(path(ZIGZAG), 0.1, samples=FINE, start="flat"),
+    "canal that begins within a ball": sw.CanalSurface(
+        UP, "0.1 + 0.8*(1 - t)^3", points=128, samples=sw.sampling.Tolerance(2e-5), start="flat"
+    ),
     "closed canal": sw.CanalSurface(TURN, "0.15 + 0.05*sin(4*pi*t)", samples=FINE),
     "offset outside": sw.OffsetSurface(sw.solids.Bracket(), 0.08, tolerance=1e-3),
     "offset inside": sw.OffsetSurface(sw.solids.Block(0.6, 0.5, 0.4), 0.05, "inside"),
@@ -146,6 +151,19 @@ MOVED = {
     "parallel contour": sw.GeneralSweep(DISC, WAVE, samples=FINE, turn_y=pi / 2),
     "scaled contour": sw.GeneralSweep(STAR, WAVE, turn_y=1.0, samples=FINE, scale_x="1 + t", scale_y="1 - 0.5*t"),
     "turning contour": sw.GeneralSweep(BAR, UP, samples=MANY, turn_z="2*pi*t", turn_x="0.3*t"),
+    "deformed contour": sw.GeneralSweep(BAR, UP, samples=MANY, deform_x="x*(1 + 0.5*sin(3*t + y))"),
+    "bent contour": sw.GeneralSweep(
+        STAR,
+        CURVED,
+        samples=MANY,
+        frame="rotation-minimizing",
+        deform_x="x*cos(2*t) - y*sin(2*t)",
+        deform_y="x*sin(2*t) + y*cos(2*t)",
+    ),
+    "deformed on a corner": sw.GeneralSweep(BAR, path([(0, 0, 0), (0, 0, 0.5), (0.5, 0, 1)]), deform_x="x + 0.3*t^2"),
+    "deformed and closed": sw.GeneralSweep(
+        DISC, TURN, frame="rotation-minimizing", samples=MANY, deform_x="x*(1 + 0.3*sin(2*pi*t))"
+    ),
     "moved block": sw.SweptSolid(BLOCK, sw.trajectories.Line(end=(0.4, 0.2, 0.5))),
 }
 SOLIDS = {

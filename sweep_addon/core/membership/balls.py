@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The union of all balls that a trajectory carries: what a canal surface bounds."""
+"""The union of all balls that a trajectory carries, or of discs in its plane: a canal surface with round ends."""
 
 from functools import cached_property
 
 import numpy as np
 
 from ..balls import Balls
-from ..canal_surface import BallEnd
-from ..parameters import require
+from ..plane import normal_of
 from ..vectors import dot, norms
 from .bodies import told
 from .hash import Boxes
+from .labels import ON, OUT
 from .panels import NODES, derivative, panels, powers, slopes
 from .ways import PARTS, apart
 
@@ -23,35 +23,48 @@ ROOM = 1.2  # for what is faster between the places
 
 
 class BallsBody:
-    """All points of all balls of a `CanalSurface` with round ends.
+    """All points of all balls of a `CanalSurface` with round ends; of discs what their plane has of these, a sheet.
 
     A point is as deep as it is in the ball of which it is deepest: the least of ``|P - t(s)| - r(s)``.
     """
 
     def __init__(self, shape):
-        require(not shape.is_plane, "must be a ball: discs in a plane bound no solid", "disc", "generator")
-        closed = bool(shape.trajectory.closed)
-        for key in ("start", "end"):
-            rounded = closed or getattr(shape, key) is BallEnd.ROUND
-            require(rounded, "must be round: only all balls together are a set", getattr(shape, key).name.lower(), key)
+        self.is_sheet = shape.is_plane
+        self.normal = normal_of(shape.trajectory) if shape.is_plane else None
         balls = Balls(shape.trajectory, shape.radius)
         measure = balls.measure
 
         def channels(s):
             u = measure.parameter(s)
-            return np.column_stack((shape.trajectory.evaluate(u), balls.radius(u, s)))
+            return np.column_stack((shape.trajectory.evaluate(u), balls.radius(u, s), *self.planes(balls, u, s)))
 
         joints = measure.at(np.concatenate((shape.trajectory.joints(), balls.kinks.ravel())))
         looked = channels(np.linspace(0.0, measure.total, LOOKED))
-        sizes = np.append(np.full(3, np.abs(looked[:, :3]).max()), np.abs(looked[:, 3]).max())
+        sizes = np.append(np.full(3, np.abs(looked[:, :3]).max()), np.abs(looked[:, 3:]).max(axis=0))
+        self.middle = looked[0, :3]
         self.panels = panels(channels, apart(joints, measure.total), PARTS, np.maximum(sizes, sizes.max() * 1e-3))
         low, high = self.panels.bounds
         radius = np.maximum(np.abs(low[:, 3]), np.abs(high[:, 3]))[:, None]
         self.low, self.high = low[:, :3] - radius, high[:, :3] + radius
         self.box = np.stack((self.low.min(axis=0), self.high.max(axis=0)))
 
+    def planes(self, balls, u, s):
+        """Further channels: none."""
+        return ()
+
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""
+        return self.in_plane(points, self.of_balls(points, tolerance), tolerance)
+
+    def in_plane(self, points, labels, tolerance):
+        """What is left of labels where discs move in a plane: it is on, as it has no inside."""
+        if self.normal is None:
+            return labels
+        within = (np.abs((points - self.middle) @ self.normal) <= tolerance) & (labels != OUT)
+        return np.where(within, ON, OUT).astype(np.int8)
+
+    def of_balls(self, points, tolerance):
+        """IN, ON or OUT of all balls."""
         boxes, labels = Boxes.of(self.low - tolerance, self.high + tolerance), np.empty(len(points), dtype=np.int8)
         for start in range(0, len(points), CHUNK):
             some = slice(start, start + CHUNK)

@@ -20,6 +20,8 @@ CHUNK = 1 << 15
 class Body:
     """A set of points told by a signed distance: ``distance(points)``, negative inside, and ``box``."""
 
+    is_sheet = False
+
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""
         return told(self.distance(points), tolerance)
@@ -46,7 +48,7 @@ class MeshBody(Body):
     """The solid that a closed mesh bounds: exact for its faces."""
 
     def __init__(self, mesh):
-        wrong = len(mesh.non_manifold_edges())
+        wrong = len(mesh.non_manifold_edges()) + len(mesh.boundary_edges())
         require(not wrong, "must be closed and manifold", f"{wrong} edges without two faces")
         vertices, (triangles, _) = np.asarray(mesh.vertices, dtype=np.float64), facets(mesh)
         triangles = triangles if mesh.volume() > 0 else triangles[:, ::-1]

@@ -16,7 +16,9 @@ RELATIVE, LARGEST = 1e-9, 0.1  # of the size of the set: the tolerance where non
 
 
 def classify(shape, points, tolerance=None):
-    """Tell whether points are in a sweep or a sweep-CSG tree, on its boundary, or out of it; no mesh is made.
+    """Tell whether points are in a sweep or a sweep-CSG tree, on its boundary, or out of it.
+
+    What has no inside, as a tube with an open end, is a surface, which points are on or out of.
 
     Parameters
     ----------
@@ -35,7 +37,7 @@ def classify(shape, points, tolerance=None):
     Raises
     ------
     ShapeError
-        For a shape that is no solid, as one with an open end, and for points that are not numbers in rows of three.
+        For a tree or a moving solid of what is no solid, and for points that are not numbers in rows of three.
 
     Source
     ------

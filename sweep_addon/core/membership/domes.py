@@ -10,8 +10,8 @@ from .labels import IN, ON, OUT
 TINY = 1e-9  # of the contour: less is the tip
 
 
-def in_dome(dome, region, points, tolerance):
-    """IN, ON or OUT for points (n, 3): (n,) int8."""
+def in_dome(dome, region, points, tolerance, is_sheet=False):
+    """IN, ON or OUT for points (n, 3), of a sheet none IN: (n,) int8."""
     way = points - dome.middle
     height = way @ dome.outward
     part = np.clip(height / dome.height, 0.0, 1.0)
@@ -26,5 +26,7 @@ def in_dome(dome, region, points, tolerance):
     tip = dome.middle + dome.centre * dome.scales @ dome.axes + dome.height * dome.outward
     distance = np.where(norms(points - tip) <= tolerance, 0.0, distance)
     present = (distance <= tolerance) & (height >= -tolerance) & (height <= dome.height + tolerance)
+    if is_sheet:
+        return np.where(present & (distance >= -tolerance), ON, OUT).astype(np.int8)
     inside = (distance < -tolerance) & (height > tolerance)
     return np.where(inside, IN, np.where(present, ON, OUT)).astype(np.int8)

@@ -17,17 +17,21 @@ class Drawn:
     Parameters
     ----------
     at : callable
-        From parameters (n,) to its points (n, m, 2), loops one after the other, the region on their left.
+        From parameters (n,) to its points (n, m, 2), loops one after the other, the region on their left; or lines.
     offsets : (k + 1,) int array
         Where each loop begins.
     ends : (2,) float array
         The least and the greatest parameter.
     looked : (p,) float array
         Parameters between which no point leaves the box of those there.
+    gaps : (g,) int array
+        Points that no edge leads on from, of lines that are open, which have no inside.
     """
 
-    def __init__(self, at, offsets, looked):
+    def __init__(self, at, offsets, looked, gaps=()):
         self.at, self.ahead, self.ends = at, following(offsets), looked[[0, -1]]
+        self.is_open = len(gaps) > 0
+        self.ahead[list(gaps)] = gaps  # an edge without length
         points = at(looked).reshape(-1, 2)
         self.box = np.stack((points.min(axis=0), points.max(axis=0)))
 
@@ -42,7 +46,7 @@ class Drawn:
         for start in range(0, len(points), size):
             some = slice(start, start + size)
             depth[some], outward[some] = nearest(points[some], self.at(parameters[some]), self.ahead)
-        return depth, outward
+        return (np.abs(depth), outward * np.where(depth < 0, -1, 1)[:, None]) if self.is_open else (depth, outward)
 
     def growth(self, points, parameters):
         """How fast the distance grows as the parameter does, where points stay: (n,)."""

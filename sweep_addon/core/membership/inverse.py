@@ -51,7 +51,8 @@ def inverse_sweep(shape, points):
     Parameters
     ----------
     shape : a planar shape
-        Translational, rotational or PD curve sweep, generalized cylinder, or general sweep of a contour.
+        Translational, rotational or PD curve sweep, generalized cylinder, or general sweep of a contour that is not
+        deformed; its ends and its contour may be open.
     points : (n, 3) float array
         In metres.
 
@@ -82,7 +83,10 @@ def inverse_sweep(shape, points):
     require(isinstance(shape, Operand), "must be a planar shape", shape, "shape")
     plane = member(shape)
     plane = getattr(plane, "plane", plane)
-    require(isinstance(plane, MovingPlane), "must be the sweep of a contour", titled(type(shape)), "shape")
+    of_plane = isinstance(plane, MovingPlane)
+    require(
+        of_plane, "must be the sweep of a contour that is not deformed, out of its plane", titled(type(shape)), "shape"
+    )
     whole = plane.panels.end.max() - plane.panels.start.min()
     smooth = np.flatnonzero(plane.panels.end > plane.panels.start)  # what goes on beyond a corner is no motion
     found, size = [], max(CHUNK // len(smooth), 1)

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from .. import solids
-from ..canal_surface import CanalSurface
+from ..canal_surface import BallEnd, CanalSurface
 from ..contours import Circle, Contour, Outline, Rectangle
 from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
@@ -20,14 +20,20 @@ from ..parameters import at, require, spelled
 from ..pd_curve_sweep import PDCurveSweep
 from ..rotational_sweep import RotationalSweep
 from ..translational_sweep import TranslationalSweep
+from ..wording import titled
 from . import ways
 from .balls import BallsBody
 from .bodies import BallBody, MeshBody, OffsetBody, VisitedBody
+from .deformed import DeformedBody
+from .deforming import Deforming
+from .discs import DiscsBody
 from .moving_plane import MovingPlane
 from .moving_solid import MovingSolid
 from .prisms import Meshed, Prism
 from .regions import region
+from .sheet import SheetBody
 from .smooth import Superdisc
+from .strands import Strands
 from .trees import PlacedMember, TreeMember
 
 UNSCALED = (Constant(1.0),) * 3
@@ -35,16 +41,17 @@ UNSCALED = (Constant(1.0),) * 3
 
 @lru_cache(maxsize=64)
 def member(shape):
-    """The set of points of a shape, a solid or a tree.
-
-    Raises
-    ------
-    ShapeError
-        For what has no inside.
-    """
+    """The set of points of a shape, a solid or a tree; ``is_sheet`` tells of one that it is without an inside."""
     made = next((made for kind, made in KINDS.items() if isinstance(shape, kind)), None)
     require(made, "must be a shape, a solid or a tree", shape, "shape")
     return made(shape)
+
+
+def solid(shape):
+    """The member of what is to be a solid, or a refusal."""
+    found = member(shape)
+    require(not found.is_sheet, "must be a solid: a surface has no inside", titled(type(shape)))
+    return found
 
 
 def planar(way_of):
@@ -57,10 +64,12 @@ def planar(way_of):
 
 
 def translated(shape):
-    """A translational sweep; an upright one of lines and arcs has a distance of its own."""
+    """A translational sweep; an upright one of lines and arcs has a distance of its own, one in its plane is flat."""
+    if shape.within_plane:
+        return SheetBody(shape.mesh())
     plane = MovingPlane(ways.of_translation(shape))
     upright = not shape.is_drafted and not np.any(shape.way[:2])
-    if upright and not isinstance(region(shape.contour), Superdisc):
+    if upright and not isinstance(region(shape.contour), Superdisc | Strands):
         low, high = shape.heights()[[0, -1]]
         return Prism(plane, region(shape.contour), -np.array(ways.reference_of(shape)), low, high)
     return Meshed(plane, lambda: MeshBody(shape.solid()))
@@ -87,11 +96,11 @@ def bracket(solid):
 def tree(shape):
     """A tree, its operands each as they are."""
     with at("base"):
-        base = member(shape.base)
+        base = solid(shape.base)
     steps = []
     for number, step in enumerate(shape.steps, 1):
         with at(f"steps.{number}.operand"):
-            steps.append((spelled(step.operation), member(step.operand)))
+            steps.append((spelled(step.operation), solid(step.operand)))
     return TreeMember(base, steps)
 
 
@@ -105,16 +114,37 @@ def moving(shape):
     rigid = shape.rigid
     turns = rigid.turn_x, rigid.turn_y, rigid.turn_z
     with at("solid"):
-        return MovingSolid(member(shape.solid), Motion(rigid.trajectory, rigid.frame, turns, UNSCALED, ("x", "y", "z")))
+        return MovingSolid(solid(shape.solid), Motion(rigid.trajectory, rigid.frame, turns, UNSCALED, ("x", "y", "z")))
 
 
 def general(shape):
     """A general sweep: of a planar figure by its plane, of a solid by the way back."""
     if isinstance(shape.generator, Contour | Region):
-        return planar(ways.of_planar)(shape)
+        return deformed(shape) if shape.motion.deforms else planar(ways.of_planar)(shape)
+    if len(shape.generator.mesh().boundary_edges()):  # a surface, which stands at both ends
+        return meshed(shape.mesh())
     rigid = not shape.motion.deforms and shape.motion.scales == UNSCALED
     with at("generator"):
-        return MovingSolid(member(shape.generator), shape.motion) if rigid else VisitedBody(shape)
+        return MovingSolid(solid(shape.generator), shape.motion) if rigid else VisitedBody(shape)
+
+
+def deformed(shape):
+    """The sweep of a planar figure that is deformed."""
+    figure, closed = ways.figure(shape)
+    body = DeformedBody(Deforming(shape, figure), closed, ways.faces_of((shape.start, shape.end)))
+    return Meshed(body, lambda: MeshBody(shape.solid()))
+
+
+def canal(shape):
+    """All balls of a canal surface, or with ends that are not round its discs; its distance is that of its mesh."""
+    ends = () if shape.trajectory.closed else (shape.start, shape.end)
+    body = BallsBody(shape) if all(end is BallEnd.ROUND for end in ends) else DiscsBody(shape)
+    return Meshed(body, lambda: MeshBody(shape.solid()))
+
+
+def meshed(mesh):
+    """What a mesh bounds, or the mesh itself where it is open."""
+    return SheetBody(mesh) if len(mesh.boundary_edges()) else MeshBody(mesh)
 
 
 KINDS = {
@@ -122,7 +152,7 @@ KINDS = {
     TranslationalSweep: translated,
     RotationalSweep: planar(ways.of_rotation),
     PDCurveSweep: planar(ways.of_pd_curve),
-    CanalSurface: BallsBody,
+    CanalSurface: canal,
     OffsetSurface: OffsetBody,
     GeneralSweep: general,
     solids.Block: lambda block: prism(Rectangle(block.width, block.depth), block.height),
@@ -130,7 +160,7 @@ KINDS = {
     solids.Bracket: bracket,
     solids.DrilledBlock: drilled,
     solids.Ball: BallBody,
-    solids.Triangles: lambda body: MeshBody(body.mesh()),
+    solids.Triangles: lambda body: meshed(body.mesh()),
     Tree: tree,
     Placed: placed,
     SweptSolid: moving,

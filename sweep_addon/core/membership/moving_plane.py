@@ -20,7 +20,7 @@ from .corners import with_corners
 from .domes import in_dome
 from .hash import Boxes, portions
 from .labels import IN, ON, OUT, TOUCHED, joined
-from .panels import NODES, derivative, panels, powers, slopes
+from .panels import NODES, at_both, derivative, panels, powers, slopes
 from .roots import all_roots, simple
 
 NORMAL, X, Y = slice(0, 4), slice(4, 8), slice(8, 12)  # channels: unit vectors, and how far the middle is along them
@@ -46,10 +46,13 @@ class MovingPlane:
     ----------
     box : (2, 3) float array
         Its least and greatest places, or a little more.
+    is_sheet : bool
+        Whether it is a surface without an inside, as the contour or an end is open.
     """
 
     def __init__(self, way):
         self.way, self.region, self.hashes = way, way.region, {}
+        self.is_sheet = way.region.is_open or not (way.closed or all(way.faces))
         looked = way.carried(np.linspace(way.breaks[0], way.breaks[-1], LOOKED))
         self.widest = float(np.abs(looked.scales).max())
         self.reach = float(norms(self.corners).max()) * self.widest
@@ -133,8 +136,8 @@ class MovingPlane:
             which = asked[some]
             labels[which] = self.of_planes(points[which], cell[which], tolerance)
         for dome in self.way.domes:
-            labels = joined(labels, in_dome(dome, self.region, points, tolerance))
-        return labels
+            labels = joined(labels, in_dome(dome, self.region, points, tolerance, self.is_sheet))
+        return np.where(labels == TOUCHED, ON, labels) if self.is_sheet else labels
 
     def of_planes(self, points, cell, tolerance):
         """The labels of so few points that all pairs with panels fit into memory, domes left out."""
@@ -207,6 +210,10 @@ class MovingPlane:
         depth[(norms(raw) <= tolerance) & (scales.max(axis=1) * self.reach <= tolerance * self.widest)] = 0.0  # a tip
         kept = self.cut_off(places, panel, parameter)
         present = (depth <= tolerance) & (kept <= tolerance)
+        if self.is_sheet:
+            face = self.at_ends(places, panel, x, tolerance, self.way.faces)
+            face |= np.abs(self.beyond_limits(places, parameter)) <= tolerance
+            return np.zeros(len(x), dtype=bool), (present & ((depth >= -tolerance) | face)).astype(np.int8)
         edge = self.at_ends(places, panel, x, tolerance)
         inside = (depth < -tolerance) & (kept < -tolerance) & ~edge
         contact = (present & ~inside).astype(np.int8)
@@ -234,11 +241,16 @@ class MovingPlane:
 
     def cut_off(self, places, panel, parameter):
         """How far places are beyond the planes that cut off their legs or the sweep, negative within: (n,)."""
-        beyond = np.full(len(places), -np.inf)
+        beyond = self.beyond_limits(places, parameter)
         cuts = self.cuts[panel]
         for plane in cuts.swapaxes(0, 1):
             here = np.flatnonzero(plane.any(axis=1))
             beyond[here] = np.maximum(beyond[here], dot(places[here], plane[here, :3]) - plane[here, 3])
+        return beyond
+
+    def beyond_limits(self, places, parameter):
+        """How far places are beyond the planes that cut off the sweep, negative within: (n,)."""
+        beyond = np.full(len(places), -np.inf)
         for limit in self.way.limits:
             here = np.flatnonzero((parameter >= limit.low) & (parameter <= limit.high))
             beyond[here] = np.maximum(beyond[here], (places[here] - limit.point) @ limit.normal)
@@ -253,11 +265,11 @@ class MovingPlane:
         found[smooth[[0, -1]], [0, 1]] &= np.array(self.way.beyond) == 0
         return found
 
-    def at_ends(self, places, panel, x, tolerance):
-        """Whether hits are on the plane in which an open sweep begins or ends: (n,) bool."""
+    def at_ends(self, places, panel, x, tolerance, faces=(True, True)):
+        """Whether hits are on the plane in which an open sweep begins or ends, where it has a face: (n,) bool."""
         found = np.zeros(len(x), dtype=bool)
-        for planes, outer in zip(self.ends, self.outer.T, strict=True):
-            here = np.flatnonzero(outer[panel])
+        for planes, outer, face in zip(self.ends, self.outer.T, faces, strict=True):
+            here = np.flatnonzero(outer[panel] & face)
             found[here] |= np.abs(off(places[here], planes, panel[here])) <= tolerance
         return found
 
@@ -282,11 +294,6 @@ class MovingPlane:
         found = np.bincount(point, np.where(other[: len(point)], 1, 0), count).astype(int)
         np.maximum.at(found, point, contact)
         return found
-
-
-def at_both(planes):
-    """Series of planes (k, 4, ORDER) at the start and at the end of their panels: two (k, 4)."""
-    return planes @ (-1.0) ** np.arange(planes.shape[2]), planes.sum(axis=2)
 
 
 def off(places, planes, panel):

@@ -42,6 +42,8 @@ class MovingSolid:
         A rigid one.
     """
 
+    is_sheet = False
+
     def __init__(self, solid, motion):
         self.solid = solid
         measure = arc_length(motion.trajectory)

@@ -122,3 +122,8 @@ def derivative(series):
             made[..., degree - 1] += made[..., degree + 1]
     made[..., 0] /= 2
     return made
+
+
+def at_both(series):
+    """Series (..., ORDER) at the start and at the end of their panels: two (...)."""
+    return series @ (-1.0) ** np.arange(ORDER), series.sum(axis=-1)

@@ -21,6 +21,7 @@ class Prism:
 
     def __init__(self, plane, region, aside, low, high):
         self.plane, self.region, self.aside, self.ends, self.box = plane, region, aside, (low, high), plane.box
+        self.is_sheet = plane.is_sheet
 
     def labels(self, points, tolerance):
         """IN, ON, OUT or TOUCHED for points (n, 3): (n,) int8."""
@@ -41,11 +42,12 @@ class Meshed:
     ----------
     plane : member
     body : callable
-        Makes the `MeshBody` of the shape.
+        Makes the `MeshBody` of the shape, which is asked of solids alone.
     """
 
     def __init__(self, plane, body):
         self.plane, self.box, self.body, self.made = plane, plane.box, body, None
+        self.is_sheet = plane.is_sheet
 
     def labels(self, points, tolerance):
         """IN, ON, OUT or TOUCHED for points (n, 3): (n,) int8."""

@@ -7,10 +7,10 @@ from functools import lru_cache
 import numpy as np
 
 from ..contours import Circle, Ellipse, Fit, Outline, Superellipse, all_fitted
-from ..parameters import require
 from ..runs import run_of
 from .loops import Loops
 from .smooth import Disc, Superdisc
+from .strands import Strands
 
 SLOPED = 33  # places along each side where it is looked at how steep a formula is
 ROOM = 1.25  # for what is steeper between them
@@ -20,21 +20,16 @@ LEAST = 1e-300
 
 @lru_cache(maxsize=64)
 def region(contour):
-    """The region of a contour about its reference point.
+    """The region of a contour about its reference point; of an open one its lines and arcs, which have no inside.
 
     Parameters
     ----------
     contour : Contour or Mixed
-        Of a mixed one what is of two dimensions.
+        Of a mixed one what is of two dimensions, and the rest only where there is nothing of two.
 
     Returns
     -------
-    Disc, Superdisc or Loops
-
-    Raises
-    ------
-    ShapeError
-        Where the contour bounds nothing.
+    Disc, Superdisc, Loops or Strands
 
     Examples
     --------
@@ -52,9 +47,12 @@ def region(contour):
         return of_arcs(contour)
     if getattr(contour, "rounding", 0.0):
         return of_corners(*contour.corners())
-    sections = [section for section in all_fitted(contour, Fit.INSCRIBED) if section and section.closed]
-    require(sections, "must be closed: only a solid has an inside", "an open one", "contour")
-    return of_sections(sections)
+    if isinstance(contour, Outline) and not contour.closed:
+        contour.section()  # refuses what the mesh would
+        return Strands.of_outline(contour)
+    sections = [section for section in all_fitted(contour, Fit.INSCRIBED) if section]
+    bounding = [section for section in sections if section.closed]
+    return of_sections(bounding) if bounding else Strands.of_sections(sections)
 
 
 def of_sections(sections):
@@ -90,8 +88,11 @@ def of_corners(centres, radius, first, turn, points):
 class Still:
     """A region that is the same all along the way."""
 
+    is_still = True
+
     def __init__(self, region):
-        self.region, self.box, self.depth_of = region, region.box, region.depth
+        self.region, self.box = region, region.box
+        self.is_open = isinstance(region, Strands)
 
     def depth(self, points, parameters):
         """How far points (n, 2) are from the boundary, negative inside, away from it at least: (n,)."""
@@ -108,6 +109,8 @@ class Still:
 
 class Level:
     """Where the formula of a `Region` is negative, as it changes on the way."""
+
+    is_open = is_still = False
 
     def __init__(self, region, total):
         self.region, self.total = region, total

@@ -25,6 +25,8 @@ class TreeMember:
         The operations and their operands.
     """
 
+    is_sheet = False
+
     def __init__(self, base, steps):
         self.base, self.steps = base, steps
         self.box = base.box
@@ -73,7 +75,7 @@ class PlacedMember:
     """
 
     def __init__(self, placed, solid):
-        self.solid, self.origin = solid, placed.origin
+        self.solid, self.origin, self.is_sheet = solid, placed.origin, solid.is_sheet
         self.inverse = np.linalg.inv(placed.axes)
         stretches = np.linalg.svd(placed.axes, compute_uv=False)
         self.longest, self.shortest = float(stretches[0]), float(stretches[-1])

@@ -59,4 +59,5 @@ class Way(NamedTuple):
     limits: tuple = ()
     beyond: tuple = (0.0, 0.0)  # how far it goes on straight, before its start and after its end
     domes: tuple = ()
+    faces: tuple = (True, True)  # whether one closes its start and its end
     parameter: object = None  # from the motion's parameter to that of the trajectory, where it is another

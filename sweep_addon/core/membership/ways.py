@@ -14,7 +14,6 @@ from ..ends import Flat, Open, Round
 from ..frames import axes
 from ..generalized_cylinder import section_of
 from ..limits import Plane
-from ..parameters import require
 from ..sampling import stations
 from ..spans import spans
 from ..trajectories.arc_length import arc_length
@@ -36,7 +35,6 @@ def of_cylinder(shape):
     """The way of a `GeneralizedCylinder`."""
     (section, change), closed = shape.moving(), bool(shape.trajectory.closed)
     ends = (Flat(), Flat()) if closed else (shape.start, shape.end)
-    require_closed(ends)
     along, symmetry, reach, _ = shape.laid_out(section, change, ends)
     trajectory, measure = along.trajectory, arc_length(along.trajectory)
 
@@ -60,10 +58,10 @@ def of_cylinder(shape):
     if change:
         section = change.sections[0]
         looked = np.linspace(0.0, measure.total, LOOKED)
-        inside = Drawn(lambda s: change.at(s / measure.total), section.offsets, looked)
+        inside = Drawn(lambda s: change.at(s / measure.total), section.offsets, looked, section.gaps)
         breaks = np.append(breaks, change.places * measure.total)
     way = Way(carried, apart(breaks, measure.total), closed, inside, PARTS, corners, parameter=measure.parameter)
-    return way._replace(domes=tuple(domes(shape, ends, way)))
+    return way._replace(domes=tuple(domes(shape, ends, way)), faces=faces_of(ends))
 
 
 def domes(shape, ends, way):
@@ -83,9 +81,6 @@ def domes(shape, ends, way):
 
 def of_translation(shape):
     """The way of a `TranslationalSweep`: its parameter is the height."""
-    require(not shape.within_plane, "must lead out of the contour's plane: what stays in it is no solid",
-            list(shape.direction), "direction")  # fmt: skip
-    require_closed((shape.start, shape.end))
     heights, sections = shape.heights(), [section for section in shape.sections() if section and section.closed]
     drafts = [shape.drafted(section, heights) for section in sections]
     moves = np.concatenate([draft.moves for draft in drafts]) if drafts else np.zeros(1)
@@ -103,7 +98,7 @@ def of_translation(shape):
         x, y, up = (np.tile(axis, (len(z), 1)) for axis in np.eye(3))
         return Carried(z[:, None] * shape.way + aside, up, x, y, np.ones((len(z), 2)))
 
-    return Way(carried, np.array(breaks), False, inside, 1)
+    return Way(carried, np.array(breaks), False, inside, 1, faces=faces_of((shape.start, shape.end)))
 
 
 def reference_of(shape):
@@ -117,7 +112,6 @@ def reference_of(shape):
 
 def of_rotation(shape):
     """The way of a `RotationalSweep`: its parameter is the angle, however it turns."""
-    require_closed((shape.start, shape.end))
     shape.sections()  # refuses what the mesh would
     (x, y), sense = unit(np.array([shape.axis_direction]))[0], np.sign(shape.turn)
     left, up = -np.array(shape.axis_point)
@@ -131,14 +125,13 @@ def of_rotation(shape):
 
     parts = max(int(np.ceil(PARTS * abs(shape.turn) / tau)), 1)
     return Way(carried, np.array([0.0, abs(shape.turn)]), shape.closed, Still(region(shape.contour)), parts,
-               parameter=lambda angle: sense * angle)  # fmt: skip
+               parameter=lambda angle: sense * angle, faces=faces_of((shape.start, shape.end)))  # fmt: skip
 
 
 def of_pd_curve(shape):
     """The way of a `PDCurveSweep`; limiting planes cut off what goes on straight beyond its ends."""
     limits = (shape.start, shape.end)
     closed = bool(shape.trajectory.closed)
-    require_closed(() if closed else limits)
     section, bending, _, _ = shape.laid_out()
     bending = Bending(bending.trajectory, bending.frame, bending.total)
     measure = arc_length(shape.trajectory)
@@ -148,7 +141,8 @@ def of_pd_curve(shape):
         return Carried(axis.points, axis.e1, axis.e2, axis.e3, np.ones((len(s), 2)))
 
     breaks = apart(measure.at(shape.trajectory.joints()), measure.total)
-    way = Way(carried, breaks, closed, Still(region(shape.contour)), PARTS, parameter=measure.parameter)
+    way = Way(carried, breaks, closed, Still(region(shape.contour)), PARTS, parameter=measure.parameter,
+              faces=faces_of(limits))  # fmt: skip
     if closed or not any(isinstance(limit, Plane) for limit in limits):
         return way
     return way._replace(**cut(limits, bending, section_of(shape.contour, Fit.INSCRIBED), measure.total))
@@ -177,17 +171,8 @@ def cut(limits, bending, section, total):
 
 def of_planar(shape):
     """The way of a planar figure in general motion that is not deformed."""
-    motion = shape.motion
-    require(not motion.deforms, "must be x, y and z, since no plane comes back from what is bent", shape.deform_x,
-            "deform_x")  # fmt: skip
-    require_closed((shape.start, shape.end))
-    measure = arc_length(shape.trajectory)
-    if isinstance(shape.generator, Region):
-        inside, closed = Level(shape.generator, measure.total), False
-    else:
-        points = section_of(shape.generator, Fit.INSCRIBED).points
-        closed = motion.comes_back(np.column_stack((points, np.zeros(len(points)))))
-        inside = Still(region(shape.generator))
+    motion, measure = shape.motion, arc_length(shape.trajectory)
+    inside, closed = figure(shape)
 
     def carried(s):
         poses = motion.at(s)
@@ -197,13 +182,22 @@ def of_planar(shape):
         return Carried(poses.origin, unit(np.cross(x, y)), x, y, scales)
 
     breaks = apart(measure.at(shape.trajectory.joints()), measure.total)
-    return Way(carried, breaks, closed, inside, PARTS, parameter=measure.parameter)
+    return Way(carried, breaks, closed, inside, PARTS, parameter=measure.parameter,
+               faces=faces_of((shape.start, shape.end)))  # fmt: skip
 
 
-def require_closed(ends):
-    """Refuse open ends: a surface has no inside."""
-    for key, end in zip(("start", "end"), ends, strict=False):
-        require(not isinstance(end, Open), "must not be open: only a solid has an inside", "open", key)
+def figure(shape):
+    """The region of a planar figure in general motion, and whether it comes back to where it began."""
+    if isinstance(shape.generator, Region):
+        return Level(shape.generator, arc_length(shape.trajectory).total), False
+    points = section_of(shape.generator, Fit.INSCRIBED).points
+    closed = shape.motion.comes_back(np.column_stack((points, np.zeros(len(points)))))
+    return Still(region(shape.generator)), closed
+
+
+def faces_of(ends):
+    """Whether there is a face at each of two ends."""
+    return tuple(not isinstance(end, Open) for end in ends)
 
 
 def apart(breaks, total):
