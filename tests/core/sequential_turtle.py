@@ -39,8 +39,8 @@ def bent(axes, tropism):
     return {n: cos * v + sin * np.cross(axis, v) + (1 - cos) * (axis @ v) * axis for n, v in axes.items()}
 
 
-def walk(modules, axes, angle=90.0, step=1.0, width=0.1, tropism=None):
-    """Walk a word, given as (name, parameters).
+def walk(modules, axes, angle=90.0, step=1.0, width=0.1, tropism=None, asked=None):
+    """Walk a word, given as (name, parameters); where queries stand, note their places and states in a list.
 
     Returns
     -------
@@ -73,6 +73,8 @@ def walk(modules, axes, angle=90.0, step=1.0, width=0.1, tropism=None):
             state["at"] = end
             if tropism and name != "f":
                 state["axes"] = bent(state["axes"], tropism)
+        elif name[0] == "?" and asked is not None:
+            asked.append((place, state["at"], state["axes"]))
         elif name == "[":
             stack.append(dict(state))
         elif name == "]":

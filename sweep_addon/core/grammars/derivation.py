@@ -21,6 +21,7 @@ from .stepping import State, first, step
 from .word import Word
 
 DECOMPOSED = 1  # moments of the levels of a decomposition begin here; that of a production is 0
+INTERPRETED = 256  # those of a homomorphism
 LEVELS = 512  # moments in each step
 WAYS = {
     "doubling": "words are copied together from the words of their successors",
@@ -30,8 +31,9 @@ WAYS = {
 }
 
 
-def derived(system, generations, seed, budget, progress):
+def derived(system, generations, seed, budget, progress, environment=None):
     """The word of a system; `LSystem.derive` says of what."""
+    require(environment is None or callable(environment), "must be a function", environment, "environment")
     generations = whole(generations, MOST_GENERATIONS, "generations")
     seed = whole(seed, LARGEST_SEED, "seed")
     tables = system.compiled
@@ -55,7 +57,7 @@ def derived(system, generations, seed, budget, progress):
         again = Meter(meter.budget, generations, tables.columns, None)
         state = layout.word(linked, lambda: in_order(tables, generations, seed, again.started()).births)
     else:
-        state = in_order(tables, generations, seed, meter)
+        state = in_order(tables, generations, seed, meter, environment)
     return Word(tables, state, generations, seed)
 
 
@@ -71,6 +73,8 @@ def whole(value, most, key):
 
 def strategy(tables):
     """Which of the ways suits a system."""
+    if tables.queries:
+        return "in order"
     if doubling.suits(tables):
         return "doubling"
     every = (tables.common, *tables.groups.values())
@@ -89,23 +93,23 @@ def grown(kind, tables, generations, seed, meter):
         yield growth
 
 
-def in_order(tables, generations, seed, meter):
+def in_order(tables, generations, seed, meter, environment=None):
     """The last word, step by step."""
-    (state,) = deque(states(tables, generations, seed, meter), maxlen=1)
+    (state,) = deque(states(tables, generations, seed, meter, environment), maxlen=1)
     return state
 
 
-def states(tables, generations, seed, meter):
+def states(tables, generations, seed, meter, environment=None):
     """The words of all generations, from that of the axiom on."""
     state = first(tables, root(seed))
     meter.room(len(state), 0)
-    state = decomposed(state, tables, 0, meter)
+    state = finished(state, tables, 0, seed, meter, environment)
     yield state
     for generation in range(1, generations + 1):
         rules = tables.of_step(generation)
         room = partial(meter.room, generation=generation)
         state, _ = step(state, tables, rules, generation * LEVELS, generation, room)
-        state = decomposed(state, tables, generation, meter)
+        state = finished(state, tables, generation, seed, meter, environment)
         meter.tick(generation)
         yield state
 
@@ -122,6 +126,24 @@ def sizes(system, generations, seed, budget, progress):
         return [len(state) for state in states(tables, generations, seed, meter)]
     kind = Pool if strategy(tables) == "pool" else Forest
     return [growth.total for growth in grown(kind, tables, generations, seed, meter)]
+
+
+def finished(state, tables, generation, seed, meter, environment):
+    """A word that productions have made, with what follows in each step: its decomposition, and answers to queries."""
+    state = decomposed(state, tables, generation, meter)
+    if not tables.queries:
+        return state
+    from .queries import answered  # which interprets words, by what is below
+
+    return answered(state, tables, generation, seed, meter, environment)
+
+
+def homomorphic(state, tables, generation, meter):
+    """The word in whose modules' place stands what the homomorphism says."""
+    if not tables.homomorphism:
+        return state
+    depth = tables.system.homomorphism_depth
+    return repeated(state, tables, tables.homomorphism, depth, generation, INTERPRETED, meter, "homomorphism")
 
 
 def decomposed(state, tables, generation, meter):

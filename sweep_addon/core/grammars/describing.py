@@ -68,11 +68,13 @@ def described(system, generations=None):
         limits = bounds(tables, generations)
         said = f"{sized(limits[0])} to {sized(limits[1])} modules" if limits else "not foretold"
         size = f"{said} after {generations} generations"
+    asks = ", ".join(dict.fromkeys(name for name, _ in tables.queries.values()))
     every = system.productions, *(group for _, group in system.groups), system.decomposition, system.homomorphism
     return [
         f"class: {kind(system)}",
         f"productions: {sum(map(len, every))}",
         f"derived: {WAYS[strategy(tables)]}",
         f"size: {size}",
+        *([f"asks: {asks}, which a turtle fills in after each step"] if asks else []),
         *(f"constant: {constant.name} = {constant.value:.9g}" for constant in system.constants),
     ]

@@ -5,13 +5,14 @@
 import re
 from difflib import get_close_matches
 
-from .modules import BUILT_IN, NAME, Alphabet
+from .modules import NAME, Alphabet
 from .passages import Passage, shown
 from .vocabulary import value
 
 DIALECTS = ("abop",)
-WORDS = "dialect names define ignore consider angle step width generations seed tropism groups".split()
+WORDS = "dialect names define ignore consider heading angle step width generations seed tropism groups".split()
 DIRECTIVE = re.compile(r"\s*#([a-z]+)(?=[\s:]|$)")
+AXES = ("x", "y", "z")
 MOST_GENERATIONS = 1_000_000
 MOST_NAMES = 10_000
 MOST_STEPS = 100_000  # of which the groups are listed
@@ -58,7 +59,7 @@ def ignored(passage, alphabet: Alphabet):
             passage.refuse("a name without parameters", letter.at, shown(letter.name))
         if letter.name in "[]":
             passage.refuse("names of modules, for branches are skipped anyway", letter.at)
-    return tuple(letter.name for letter in found if letter.name not in BUILT_IN) or ()
+    return tuple(letter.name for letter in found)
 
 
 def whole(passage, vocabulary, most):
@@ -75,6 +76,13 @@ def numbers(passage, vocabulary, count, what):
     if len(parts) != count:
         passage.refuse(f"{count} numbers: {what}", 0, f"{len(parts)}")
     return tuple(value(part, vocabulary) for part in parts)
+
+
+def heading(passage):
+    """The name of an axis."""
+    if passage.text not in AXES:
+        passage.refuse(f"an axis, {', '.join(AXES)}", 0, shown(passage.text))
+    return passage.text
 
 
 def schedule(passage):

@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The interpretation of a word: what its modules stand for, told to a turtle and never derived further."""
 
-from . import derivation
 from .budget import Budget, Meter
+from .derivation import homomorphic
 from .stepping import State
 from .word import Word
-
-INTERPRETED = 256  # where moments of the levels of a homomorphism begin, in each step
 
 
 def interpreted(word, budget, progress):
@@ -16,14 +14,5 @@ def interpreted(word, budget, progress):
     if not tables.homomorphism:
         return word
     meter = Meter(budget or Budget(), word.generations, tables.columns, progress)
-    state = derivation.repeated(
-        State(word.symbols, word.columns, word.state.keys, word.births),
-        tables,
-        tables.homomorphism,
-        tables.system.homomorphism_depth,
-        word.generations,
-        INTERPRETED,
-        meter,
-        "homomorphism",
-    )
-    return Word(tables, state, word.generations, word.seed)
+    state = State(word.symbols, word.columns, word.state.keys, word.births)
+    return Word(tables, homomorphic(state, tables, word.generations, meter), word.generations, word.seed)

@@ -42,6 +42,8 @@ class LSystem:
         How far ``F f G`` go where they have no parameter, and the diameter of the first segment, in metres.
     tropism : tuple of 4 floats or None
         A direction, and how easily a segment bends towards it.
+    heading : str or None
+        The axis along which a turtle starts: "x", "y" or "z"; without it plants start along z and others along x.
     generations, seed : int
         The steps of a derivation and its random numbers, where nothing else is said.
     dialect : str
@@ -71,6 +73,7 @@ class LSystem:
     step: float = 1.0
     width: float = 0.1
     tropism: tuple | None = None
+    heading: str | None = None
     generations: int = 0
     seed: int = 0
     dialect: str = "abop"
@@ -112,7 +115,7 @@ class LSystem:
 
         return Tables(self)
 
-    def derive(self, generations=None, seed=None, budget=None, progress=None):
+    def derive(self, generations=None, seed=None, budget=None, progress=None, environment=None):
         """The word after so many steps.
 
         Parameters
@@ -126,6 +129,10 @@ class LSystem:
             How large and how long it may grow.
         progress : callable, optional
             Called with the part that is done, from 0 to 1; to stop, it raises an exception.
+        environment : callable, optional
+            Answers modules ``?E(x, ...)`` after each step: takes an `Asked`, which has ``at``, ``heading``, ``left``,
+            ``up``, ``values`` and ``generation``, and returns their new parameters, (m,) or (m, k) numbers. Without
+            it they stay as they are.
 
         Returns
         -------
@@ -151,7 +158,7 @@ class LSystem:
         from .derivation import derived
 
         generations = self.generations if generations is None else generations
-        return derived(self, generations, self.seed if seed is None else seed, budget, progress)
+        return derived(self, generations, self.seed if seed is None else seed, budget, progress, environment)
 
     def sizes(self, generations=None, seed=None, budget=None, progress=None):
         """How many modules the words of all generations have; where that can be foretold, without deriving any.

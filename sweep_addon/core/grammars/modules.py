@@ -9,16 +9,19 @@ import re
 from math import isfinite
 from typing import NamedTuple
 
+from ..expressions import Expression
 from ..frozen import frozen
 from .passages import Passage, shown
 from .vocabulary import draws, formula
 
 BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "@Sl", "@Sa", "@Sw", "?P", "?H", "?L", "?U", "?E")
+QUERIES, ENVIRONMENT = ("?P", "?H", "?L", "?U"), "?E"
 OPEN, CLOSE = "[", "]"
 NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32
 BLANKS = re.compile(r"(?<!\w)\s+|\s+(?!\w)", re.ASCII)  # all that part no words
 NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+UNSET = Expression("0", (), (0.0,))  # of a query, until a turtle fills it in
 
 
 @frozen
@@ -130,7 +133,8 @@ class Alphabet:
                 continue
             parameters = []
             for argument in letter.arguments:
-                read = formula(argument, names, vocabulary, drawn)
+                unset = letter.name in (*QUERIES, ENVIRONMENT) and is_free(argument.text, names, vocabulary)
+                read = UNSET if unset else formula(argument, names, vocabulary, drawn)
                 drawn += draws(read.names)
                 if not read.names and not isfinite(read.run({})):
                     argument.refuse("a finite number", 0, f"{read.run({}):g}")
@@ -147,6 +151,11 @@ class Alphabet:
                     argument.refuse("a name for the parameter", 0, shown(argument.text))
             made.append(Pattern(letter.name, tuple(argument.text for argument in letter.arguments)))
         return made
+
+
+def is_free(text, names, vocabulary):
+    """Whether a parameter of a query says nothing, as the book's authors print it: ``?P(x,y)``, ``?P(*,*)``."""
+    return text == "*" or NAME.fullmatch(text) and text not in names and text not in vocabulary.constants
 
 
 def after_blanks(text, at):

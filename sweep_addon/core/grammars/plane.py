@@ -35,14 +35,15 @@ class Plane:
     def degrees(self):
         """Angles, and which of them each move has; None where each has its own."""
         walk = self.walk
+        first = 90.0 if walk.along == "y" else 0.0
         if walk.turns_differ:
-            return self.added(), None
+            return first + self.added(), None
         count = self.counted("+", "-")
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
         if most - least > WIDEST:
-            return count * walk.system.angle, None
+            return first + count * walk.system.angle, None
         count -= least
-        return np.arange(least, most + 1) * walk.system.angle, count
+        return first + np.arange(least, most + 1) * walk.system.angle, count
 
     def added(self):
         """(m,) float array: the sum of the angles that turns say, on the way to each move."""

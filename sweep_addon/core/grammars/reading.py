@@ -117,6 +117,9 @@ class Reader:
             passage.refuse("a direction that is not 0", 0, shown(passage.text))
         self.told[word] = told
 
+    def tell_heading(self, passage, word):
+        self.told[word] = directives.heading(passage)
+
     def tell_groups(self, passage, word):
         self.told["schedule"] = directives.schedule(passage)
 

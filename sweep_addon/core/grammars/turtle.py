@@ -21,8 +21,7 @@ from .tokens import LEVELS, SPATIAL, TURNS, Tokens
 
 DRAWS, SKIPS = ("F", "G"), ("f",)
 EDGE = re.compile("F[A-Za-z0-9]")  # edges of which there are several kinds, as Fl and Fr
-ALONG_X = (1 + 0j, 0j)
-UPWARDS = turns.rotation(1, -90.0)
+STARTS = {"x": (1 + 0j, 0j), "y": turns.rotation(2, 90.0), "z": turns.rotation(1, -90.0)}
 
 
 class Walk:
@@ -36,15 +35,18 @@ class Walk:
         Whether it starts upwards; None where the system decides.
     system : LSystem, optional
         Whose angle, step, width and tropism count; else that of the word.
+    stops : tuple of int
+        Numbers of further modules where it stops, as at moves of no length.
     """
 
-    def __init__(self, word, upright=None, system=None):
+    def __init__(self, word, upright=None, system=None, stops=()):
         self.word, self.symbols, self.system = word, word.symbols, system or word.tables.system
         self.named = {}
         for number, (name, count) in enumerate(word.tables.symbols):
             self.named.setdefault(name, []).append((number, count))
         drawn = [name for name in self.named if name in DRAWS or EDGE.fullmatch(name)]
-        self.drawing, self.moving = self.table(*drawn), self.table(*drawn, *SKIPS)
+        self.drawing, self.moving, self.stops = self.table(*drawn), self.table(*drawn, *SKIPS), list(stops)
+        self.moving[self.stops] = True
         self.bytes = self.symbols.tobytes() if self.symbols.dtype == np.uint8 else None
         brackets = np.flatnonzero(self.chosen(OPEN, CLOSE))
         self.branches = Branches(brackets, self.table(OPEN)[self.symbols[brackets]])
@@ -53,8 +55,9 @@ class Walk:
         self.is_drawn = self.drawing[self.symbols[self.moves]]
         turning = any(self.named.get(name) for name in SPATIAL)
         self.spatial = turning or self.system.tropism is not None
-        upright = self.spatial and bool(self.named.get(OPEN)) if upright is None else upright
-        self.start = tuple(complex(part) for part in (UPWARDS if upright else ALONG_X))
+        along = self.system.heading if upright is None else "z" if upright else "x"
+        self.along = along or ("z" if self.spatial and self.named.get(OPEN) else "x")
+        self.start = tuple(complex(part) for part in STARTS[self.along])
 
     def numbers(self, *names):
         """The numbers of all modules of these names."""
@@ -94,7 +97,9 @@ class Walk:
         """The figure that is drawn."""
         first = self.branches.first(self.is_moving)
         length = self.parameter(self.moves, self.system.step * scaled(self, LENGTH, self.moves))
-        if not self.spatial and self.start == ALONG_X:
+        if self.stops:
+            length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
+        if not self.spatial and self.along != "z":
             plane = Plane(self)
             ways = self.branches.sums(plane.ways(length), first)
             start, end = self.points([[way.real, way.imag] for way in ways])

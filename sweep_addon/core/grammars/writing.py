@@ -33,6 +33,8 @@ def settings(system):
     for word, names in (("ignore", system.ignore), ("consider", system.consider)):
         if names is not None:
             yield f"#{word} {' '.join(names)}"
+    if system.heading:
+        yield f"#heading {system.heading}"
     defaults = type(system).__dataclass_fields__
     for word in ("angle", "step", "width", "generations", "seed"):
         value = getattr(system, word)

@@ -10,6 +10,7 @@ vlab, which is free. The lines of a view file may stand in the same text.
 
 import re
 
+from ..modules import ENVIRONMENT, QUERIES
 from ..passages import Passage, PassageError, shown
 from ..productions import around
 from .pasting import DEFINED, Pasting, joined, uncommented
@@ -68,6 +69,7 @@ class Reader:
 
     def __init__(self):
         self.pasting, self.depths, self.organs, self.section = Pasting(), {}, {}, ""
+        self.queries = False
 
     def line(self, line, source):
         """A line in the notation of the book."""
@@ -105,6 +107,7 @@ class Reader:
     def granted(self):
         """Lines that say what the program says of itself."""
         names = [f"#names {', '.join(self.organs)}"] if self.organs else []
+        names += ["#heading y"] if self.queries else []  # coordinates are told, so they have to be those of cpfg
         return names + [line for section, depth in self.depths.items() if depth for line in (f"{section}:", depth)]
 
     def production(self, line, source):
@@ -141,6 +144,9 @@ class Reader:
 
     def module(self, passage, said):
         name = said.name
+        self.queries |= name in (*QUERIES, ENVIRONMENT)
+        if name == "@v" and self.queries:
+            unknown(passage, said, "no @v beside queries, for up is y there and z here")
         if name in ("!", "#", ",", *ORGANS) and len(said.parameters) != 1:
             unknown(passage, said, f"one number in brackets behind {name}")
         if name in ORGANS:
