@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.grammars.faces import FACE
 from sweep_addon.core.parameters import ShapeError
 
 PLANT = "#angle 22.5\naxiom: X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\n"
@@ -82,3 +83,26 @@ def test_other_numbers_of_sides_are_refused(sides):
 def test_a_word_that_draws_nothing_has_an_empty_mesh(sides):
     mesh = LSystem.parse("axiom: A[B]").derive(0).figure().mesh(sides)
     assert mesh.vertices.shape == (0, 3) and len(mesh.offsets) == 1
+
+
+def test_each_polygon_is_a_face_beside_the_tubes():
+    """Two unit squares, one within a branch of the other's: 2 square metres, 8 vertices of their own, one edge each."""
+    square = "{f+f+f+f}"
+    system = LSystem.parse(f"#angle 90\naxiom: '(3)F[''{square}F']{square}")
+    figure = system.derive(0).figure()
+    mesh, alone = figure.mesh(6), LSystem.parse("#angle 90\naxiom: '(3)F[''ffffFf']ffff").derive(0).figure().mesh(6)
+    leaves = mesh.topology.material == FACE
+    assert leaves.sum() == 2 and np.diff(mesh.offsets)[leaves].tolist() == [4, 4]
+    assert mesh.area() == pytest.approx(alone.area() + 2, rel=1e-12)
+    assert len(mesh.vertices) == len(alone.vertices) + 8 and len(mesh.boundary_edges()) == 8
+    assert not len(mesh.non_manifold_edges())
+    assert mesh.attributes["colour"][-8:].tolist() == [5] * 4 + [3] * 4
+    assert mesh.attributes["radius"][-8:].tolist() == [0] * 8 and mesh.attributes["axis"][-8:].tolist() == [0] * 8
+    ends = np.sort(mesh.edges[mesh.topology.corner_edges], axis=1)
+    following = mesh.corners[mesh.topology.following]
+    assert np.array_equal(ends, np.sort(np.column_stack((mesh.corners, following)), axis=1))
+
+
+def test_polygons_are_faces_beside_edges_too():
+    mesh = LSystem.parse("#angle 90\naxiom: F{f+f+f+f}").derive(0).figure().mesh(sides=0)
+    assert mesh.area() == pytest.approx(1, rel=1e-12) and len(mesh.edges) == 1 + 4

@@ -4,6 +4,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from sequential_turtle import walk
 from test_grammar_conformance import ENTRIES, by_id, text
 
@@ -145,6 +147,31 @@ def test_a_leaf_of_the_book_is_made_of_triangles():
     figure = LSystem.parse(text(entry)).derive(20).figure()
     assert len(figure.polygons) == 2 * (20 - 2)
     assert {len(polygon) for polygon in figure.polygons} == {3}
+
+
+@given(st.lists(st.sampled_from([*"{}{}..fFG+-", "[f]", "[+F.]"]), max_size=40))
+def test_polygons_are_those_of_a_stack_of_braces(letters):
+    """Each vertex is of the innermost brace that is open; braces that nothing opens or closes make no polygon."""
+    figure = LSystem.parse(f"#angle 90\naxiom: F{''.join(letters)}").derive(0).figure()
+    unfinished, wanted, at, way = [], [], 1 + 0j, 1 + 0j
+    for letter in "".join(letters):
+        way *= {"+": 1j, "-": -1j}.get(letter, 1)
+        if letter == "[":
+            home = at, way
+        elif letter == "]":
+            at, way = home
+        at += way * (letter in "fFG")
+        if letter == "{":
+            unfinished.append([])
+        if letter == "}" and unfinished:
+            wanted.append(unfinished.pop())
+        elif unfinished and letter in "{.fF":
+            unfinished[-1].append(at)
+    wanted = [[p for k, p in enumerate(points) if abs(p - points[k - 1]) > 1e-9] for points in wanted]
+    wanted = [points for points in wanted if len(points) > 2]
+    assert len(figure.polygons) == len(wanted)
+    for polygon, points in zip(figure.polygons, wanted, strict=True):
+        assert polygon[:, :2] == pytest.approx(np.array([(p.real, p.imag) for p in points]), abs=1e-9)
 
 
 def test_organs_stand_where_the_turtle_is():

@@ -58,7 +58,7 @@ class Figure:
     def width(self):
         """(n,) float array: the diameter of each segment, in metres."""
         sets = self.walk.chosen("!", given=True)
-        found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times)
+        found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times, self.place)
         if not self.walk.numbers(WIDTH):
             return found
         last = self.walk.branches.before(self.place, sets)
@@ -67,7 +67,11 @@ class Figure:
     @cached_property
     def colour(self):
         """(n,) float array: the number of the colour of each segment."""
-        return self.changing("'", 0.0, np.add, lambda times: times)
+        return self.colours(self.place)
+
+    def colours(self, place):
+        """(k,) float array: the number of the colour at modules of the word."""
+        return self.changing("'", 0.0, np.add, lambda times: times, place)
 
     @cached_property
     def birth(self):
@@ -95,9 +99,14 @@ class Figure:
         return straight & (parent >= 0) & (self.branch[parent] == self.branch)
 
     @cached_property
+    def filled(self):
+        """Polygons: the polygons of the figure, one behind the other."""
+        return polygons(self.walk, self.moves_end)
+
+    @cached_property
     def polygons(self):
         """Tuple of (k, 3) float array: the vertices of each polygon, in metres."""
-        return polygons(self.walk, self.moves_end)
+        return tuple(np.split(self.filled.points, self.filled.offsets[1:-1])) if len(self.filled.place) else ()
 
     @cached_property
     def organs(self):
@@ -138,7 +147,7 @@ class Figure:
         return steps[of_axis[self.axis]]
 
     def mesh(self, sides=8):
-        """A closed tube along each axis, mitred where it turns, or its segments as edges.
+        """A closed tube along each axis, mitred where it turns, or its segments as edges; its polygons as faces.
 
         Parameters
         ----------
@@ -166,19 +175,19 @@ class Figure:
 
         return mesh(self, sides)
 
-    def changing(self, name, default, combine, change):
-        """(n,) float array: what modules of a name with a parameter set and others change, at each segment."""
+    def changing(self, name, default, combine, change, place):
+        """(n,) float array: what modules of a name with a parameter set and others change, at modules of the word."""
         walk, branches = self.walk, self.walk.branches
-        value = np.full(len(self), float(default))
+        value = np.full(len(place), float(default))
         if not walk.named.get(name):
             return value
         sets = walk.chosen(name, given=True)
-        last = branches.before(self.place, sets)
+        last = branches.before(place, sets)
         value[last >= 0] = walk.word.columns[0][np.flatnonzero(sets)[last[last >= 0]]] if sets.any() else 0
         changes = walk.chosen(name, given=False)
         if changes.any():
             counted = branches.counts(changes.astype(np.int8))
-            times = counted[self.place]
+            times = counted[place]
             times[last >= 0] -= counted[np.flatnonzero(sets)[last[last >= 0]]]
             value = combine(value, change(times))
         return value

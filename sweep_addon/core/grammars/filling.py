@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..frozen import individual
+from .neighbours import narrow
 
 START, MARK, END = "{", ".", "}"
 ORGAN = "~"
@@ -32,6 +33,25 @@ class Organ:
     scale: np.ndarray
 
 
+@individual
+class Polygons:
+    """Polygons, one behind the other.
+
+    Attributes
+    ----------
+    place : (p,) int array
+        The module of each in the word: its opening brace.
+    points : (n, 3) float array
+        Their vertices, in metres.
+    offsets : (p + 1,) int array
+        Polygon ``i`` has ``points[offsets[i]:offsets[i + 1]]``.
+    """
+
+    place: np.ndarray
+    points: np.ndarray
+    offsets: np.ndarray
+
+
 def position(walk, places, end):
     """(n, 3) float array: where the turtle is at places of the word, from where its moves end."""
     return np.concatenate((end, np.zeros((1, 3))))[walk.branches.before(places, walk.is_moving)]
@@ -41,27 +61,45 @@ def polygons(walk, end):
     """The polygons of a word: their vertices are where braces open, at each F, f and dot, each once in a row.
 
     A polygon goes on through brackets; braces within braces make one of their own. What has fewer than three vertices
-    is none.
+    is none, and so is what is not closed. Sorted by how many braces they are in, and in the order of the word
+    otherwise, the vertices of each polygon stand in a row.
     """
-    if not walk.chosen(START).any():
-        return ()
     places = np.flatnonzero(walk.chosen(START, END, MARK, *UNMARKED))
-    at = position(walk, places, end)
-    opens, closes = (walk.table(name)[walk.symbols[places]].tolist() for name in (START, END))
-    made, unfinished = [], []
-    for place in range(len(places)):
-        if opens[place]:
-            unfinished.append([place])
-        elif closes[place] and unfinished:
-            made.append(unfinished.pop())
-        elif unfinished:
-            unfinished[-1].append(place)
-    return tuple(polygon for polygon in (once(at[vertices]) for vertices in made) if len(polygon) > 2)
+    opens, closes = (walk.table(name)[walk.symbols[places]] for name in (START, END))
+    level = levels(opens, closes)
+    order = np.flatnonzero(level)
+    order = order[np.argsort(narrow(level[order]), kind="stable")]
+    polygon = np.cumsum(opens[order]) - 1
+    closed = np.full(np.count_nonzero(opens), -1)
+    closed[polygon[closes[order]]] = order[closes[order]]
+
+    corner = order[~closes[order]]
+    of, at = polygon[~closes[order]], position(walk, places, end)[corner]
+    distinct = once(at, of)
+    whole = (closed >= 0) & (np.bincount(of[distinct], minlength=len(closed)) > 2)
+    kept = distinct & whole[of]
+    in_turn = np.argsort(closed[whole])
+    rank = np.empty(len(closed), dtype=np.intp)
+    rank[np.flatnonzero(whole)[in_turn]] = np.arange(len(in_turn))
+    at = at[kept][np.argsort(rank[of[kept]], kind="stable")]
+    sizes = np.bincount(rank[of[kept]], minlength=len(in_turn))
+    begins = places[order[opens[order]]][whole][in_turn]
+    return Polygons(begins, at, np.concatenate(([0], np.cumsum(sizes))))
 
 
-def once(points):
-    """The points without those that are where the one before is, around the polygon."""
-    return points[(points != np.roll(points, 1, axis=0)).any(axis=1)] if len(points) > 1 else points
+def levels(opens, closes):
+    """(n,) int array: how many braces each place is in, of a pair both its own; 0 for those that nothing has opened."""
+    depth = np.cumsum(opens.astype(np.int32) - closes)
+    depth -= np.minimum(np.minimum.accumulate(depth), 0) if len(depth) else 0
+    return np.where(closes, np.concatenate(([0], depth[:-1])), depth)
+
+
+def once(at, polygon):
+    """(n,) bool array: which vertices are not where the one before is, around their polygon."""
+    before = np.arange(-1, len(at) - 1)
+    first = np.flatnonzero(np.diff(polygon, prepend=-1))
+    before[first] = np.append(first[1:], len(at))[: len(first)] - 1
+    return (at != at[before]).any(axis=1)
 
 
 def organs(walk, end):

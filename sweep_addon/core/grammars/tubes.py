@@ -9,6 +9,7 @@ import numpy as np
 from ..digest import checksum
 from ..mesh import Mesh, Topology, require_few
 from ..parameters import require
+from .faces import with_polygons
 
 SHARPEST = -0.5  # cosine of a turn beyond which a mitre would be more than twice as wide as the tube
 SIDE, CAP = 0, 1  # material slots
@@ -37,7 +38,7 @@ class Chart:
 def mesh(figure, sides):
     """The mesh of a figure; `Figure.mesh` says of what."""
     require(sides == 0 or 3 <= sides <= 256, "must be 0 or from 3 to 256", sides, "sides")
-    return tubes(figure, sides) if sides else wires(figure)
+    return with_polygons(tubes(figure, sides) if sides else wires(figure), figure)
 
 
 def wires(figure):
