@@ -9,6 +9,7 @@ numbers are floats: no power can grow beyond infinity, which is refused.
 
 import re
 from functools import lru_cache
+from itertools import islice
 from math import isfinite
 
 import numpy as np
@@ -19,6 +20,7 @@ from .parameters import ShapeError, require
 
 LONGEST = 2000  # characters of a text
 DEEPEST = 100  # brackets, signs and powers inside one another
+MOST_NAMES = 20  # that a refusal lists
 DRAW = "draw "  # how the name of a random number begins; no text can say it
 
 TOKEN = re.compile(
@@ -212,7 +214,7 @@ class Reader:
     def name(self):
         _, text, place = self.tokens[-1]
         if text not in self.names and text not in self.constants:
-            known = ", ".join(dict.fromkeys((*self.names, *self.constants)))
+            known = few(dict.fromkeys((*self.names, *self.constants)))
             said, of = f"{shown(text, 20)}{self.here()} is no name ({known} are)", f"one of the names {known}"
             self.refuse(said, place, shown(text, 20), of)
         if text in self.names:
@@ -261,10 +263,15 @@ class Reader:
 
     def refuse(self, what, place, found, expected):
         """Refuse the text and show no more than 40 characters of it, those around the place."""
-        names = ", ".join(self.names) or "numbers"
+        names = few(self.names) or "numbers"
         start = max(0, min(place - 20, len(self.text) - 34))
         near = ("..." if start else "") + self.text[start:]
         raise MisreadError(f"must be an expression of {names}: {what}, got {shown(near, 40)}", place, found, expected)
+
+
+def few(names):
+    """Names between commas, of many the first ones."""
+    return ", ".join(islice(names, MOST_NAMES)) + (", ..." if len(names) > MOST_NAMES else "")
 
 
 def shown(text, most):

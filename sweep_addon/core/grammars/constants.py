@@ -3,6 +3,8 @@
 """Constants of a grammar: formulas of numbers and of each other, with what a slider of them needs."""
 
 import re
+from contextlib import suppress
+from graphlib import CycleError, TopologicalSorter
 
 from ..expressions import Expression
 from ..frozen import frozen
@@ -78,27 +80,38 @@ def constants(definitions, given):
             named[name] = text, comment
         except PassageError as wrong:
             problems.append(wrong.problem)
-    values, made, waiting = {}, {}, dict(named)
-    while waiting:
-        ready = [name for name, (text, _) in waiting.items() if not needed(text) & waiting.keys()]
-        for name in ready or list(waiting):
-            text, comment = waiting.pop(name)
-            try:
-                if not ready:
-                    text.refuse("constants that do not need each other", 0, shown(name))
-                read = formula(text, tuple(values), words({}, random=False))
-                number = float(read.run(values))
-                if not abs(number) < float("inf"):
-                    text.refuse("a finite number", 0, f"{number:g}")
-                if name in given:
-                    number = float(given[name])
-                    read = Expression(repr(number), (), (number,))
-                values[name] = number
-                made[name] = Constant(name, read, values[name], *slider(comment))
-            except PassageError as wrong:
-                problems.append(wrong.problem)
-                values[name] = 1.0  # so that no further line is refused for it
+    values, made, vocabulary = {}, {}, words({}, random=False)
+    for name, known in in_order({name: needed(text) & named.keys() for name, (text, _) in named.items()}):
+        text, comment = named[name]
+        try:
+            if not known:
+                text.refuse("constants that do not need each other", 0, shown(name))
+            read = formula(text, values, vocabulary)
+            number = float(read.run(values))
+            if not abs(number) < float("inf"):
+                text.refuse("a finite number", 0, f"{number:g}")
+            if name in given:
+                number = given[name]
+                read = Expression(repr(number), (), (number,))
+            values[name] = number
+            made[name] = Constant(name, read, values[name], *slider(comment))
+        except PassageError as wrong:
+            problems.append(wrong.problem)
+            values[name] = 1.0  # so that no further line is refused for it
     return tuple(made[name] for name in named if name in made), problems
+
+
+def in_order(needs):
+    """Names, each behind those that it needs, and whether it is; those that need each other come last."""
+    sorter, left = TopologicalSorter(needs), dict.fromkeys(needs)
+    with suppress(CycleError):  # which does not keep it from telling those that are in none
+        sorter.prepare()
+    while ready := sorter.get_ready():
+        for name in ready:
+            del left[name]
+            yield name, True
+        sorter.done(*ready)
+    yield from ((name, False) for name in left)
 
 
 def parted(passage: Passage):

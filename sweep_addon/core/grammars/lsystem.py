@@ -106,7 +106,7 @@ class LSystem:
         >>> str(LSystem.parse(str(tree), {"r": 0.1}).derive(2))
         'F(1)[+F(0.1)][+F(0.1)]'
         """
-        return read(cls, text, dict(constants or {}))
+        return read(cls, text, constants)
 
     @cached_property
     def compiled(self):

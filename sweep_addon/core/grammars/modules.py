@@ -6,6 +6,7 @@ Blanks never matter. What is no name of several letters is a module of one.
 """
 
 import re
+from bisect import bisect_right
 from math import isfinite
 from typing import NamedTuple
 
@@ -76,12 +77,31 @@ class Letter(NamedTuple):
 
 
 class Alphabet:
-    """The names of modules that have more than one letter, longest first where one begins another."""
+    """The names of modules that have more than one letter; where one begins another, the longest counts.
+
+    Names that a text begins with stand in order before it, and each begins what stands between it and the text. So the
+    one just before the text either begins it, or is begun by all that do: thousands of names take no longer than a few.
+    """
 
     def __init__(self, names=()):
         self.names = tuple(dict.fromkeys(names))
-        spelled = sorted((*self.names, *BUILT_IN), key=len, reverse=True)
-        self.found = re.compile("|".join(map(re.escape, spelled)) + "|[!-~]")
+        self.spelled = sorted({*self.names, *BUILT_IN})
+        self.longest = max(map(len, self.spelled))
+        self.initials = frozenset(name[0] for name in self.spelled)
+        self.within = []  # the place of the longest other name that each begins with, or -1
+        for place, name in enumerate(self.spelled):
+            shorter = place - 1
+            while shorter >= 0 and not name.startswith(self.spelled[shorter]):
+                shorter = self.within[shorter]
+            self.within.append(shorter)
+
+    def named(self, text, at):
+        """The longest name that a text has at a place, or the letter there."""
+        rest = text[at : at + self.longest]
+        found = bisect_right(self.spelled, rest) - 1
+        while found >= 0 and not rest.startswith(self.spelled[found]):
+            found = self.within[found]
+        return rest[0] if found < 0 else self.spelled[found]
 
     def letters(self, passage: Passage):
         """The modules in a passage.
@@ -101,17 +121,20 @@ class Alphabet:
         """
         text, at, found = passage.text, 0, []
         while at < len(text):
-            if text[at].isspace():
+            name = text[at]
+            if name.isspace():
                 at += 1
                 continue
-            match = self.found.match(text, at)
-            if not match or match.group() in NEVER:
+            if name in self.initials:
+                name = self.named(text, at)
+            if name in NEVER or not "!" <= name[0] <= "~":
                 passage.refuse("a module", at)
-            end = after_blanks(text, match.end())
-            arguments = ()
+            end, arguments = at + len(name), ()
+            while text[end : end + 1].isspace():
+                end += 1
             if text[end : end + 1] == "(":
                 arguments, end = bracketed(passage, end)
-            found.append(Letter(match.group(), at, arguments))
+            found.append(Letter(name, at, arguments))
             at = end
         return found
 
@@ -126,20 +149,24 @@ class Alphabet:
         """
         letters = self.letters(passage)
         paired(passage, letters)
-        made, plain = [], {}  # most modules of a long word have no parameters: those of a name are one
+        made, known, alike = [], {}, {}  # in a long word most modules and formulas are there many times
         for letter in letters:
-            if not letter.arguments:
-                made.append(plain.get(letter.name) or plain.setdefault(letter.name, Module(letter.name)))
-                continue
-            parameters = []
-            for argument in letter.arguments:
-                unset = letter.name in (*QUERIES, ENVIRONMENT) and is_free(argument.text, names, vocabulary)
-                read = UNSET if unset else formula(argument, names, vocabulary, drawn)
-                drawn += draws(read.names)
-                if not read.names and not isfinite(read.run({})):
-                    argument.refuse("a finite number", 0, f"{read.run({}):g}")
-                parameters.append(read)
-            made.append(Module(letter.name, tuple(parameters)))
+            spelled = letter.name, *[argument.text for argument in letter.arguments]
+            module = alike.get(spelled)
+            if module is None:
+                parameters, before = [], drawn
+                asks = letter.name in (*QUERIES, ENVIRONMENT)
+                for argument in letter.arguments:
+                    read = UNSET if asks and is_free(argument.text, names, vocabulary) else known.get(argument.text)
+                    read = read or parameter(argument, names, vocabulary, drawn)
+                    drawn += draws(read.names)
+                    if read is not UNSET and not draws(read.names):
+                        known[argument.text] = read
+                    parameters.append(read)
+                module = Module(letter.name, tuple(parameters))
+                if drawn == before:
+                    alike[spelled] = module
+            made.append(module)
         return tuple(made), drawn
 
     def patterns(self, passage):
@@ -158,10 +185,12 @@ def is_free(text, names, vocabulary):
     return text == "*" or NAME.fullmatch(text) and text not in names and text not in vocabulary.constants
 
 
-def after_blanks(text, at):
-    while at < len(text) and text[at].isspace():
-        at += 1
-    return at
+def parameter(passage, names, vocabulary, drawn):
+    """The formula of a parameter."""
+    read = formula(passage, names, vocabulary, drawn)
+    if not read.names and not isfinite(read.run({})):
+        passage.refuse("a finite number", 0, f"{read.run({}):g}")
+    return read
 
 
 def bracketed(passage, start):

@@ -7,7 +7,7 @@ import re
 SIGNS = str.maketrans("−–∗∧∼˜’′⟨⟩〈〉", "--*^~~''<><>")
 COMPARED = {"≤": "<=", "≥": ">=", "≠": "!="}
 WIDER = re.compile("[ \u00a0]?([→≤≥≠])")  # a blank gives way, so that what follows keeps its column
-LEGEND = re.compile(r"\s*(?:n\s*=\s*(\d+))?\s*,?\s*(?:(?:δ|delta)\s*=\s*(-?[\d.]+)\s*°?)?\s*")
+LEGEND = re.compile(r"\s*+(?:n\s*+=\s*+(\d++))?\s*+,?\s*+(?:(?:δ|delta)\s*+=\s*+(-?[\d.]++)\s*+°?)?\s*+")
 
 
 def typed(line):

@@ -6,7 +6,6 @@ from ..frozen import frozen
 from ..parameters import ShapeError
 
 MOST = 20  # problems that one refusal tells of
-UNSEEN = frozenset(map(chr, (*range(32), 127)))
 WIDTH = 60  # characters of a line that are shown, around the place
 
 
@@ -39,7 +38,7 @@ class Problem:
     def shown(self):
         """The part of the line around the place, and a caret below it."""
         start = max(0, self.column - 1 - WIDTH // 2) if len(self.source) > WIDTH else 0
-        part = "".join(" " if letter in UNSEEN else letter for letter in self.source[start : start + WIDTH])
+        part = "".join(letter if letter.isprintable() else " " for letter in self.source[start : start + WIDTH])
         return f"    {part.rstrip()}\n    {' ' * (self.column - 1 - start)}^"
 
     def __str__(self):

@@ -228,8 +228,9 @@ def strict_predecessor(passage, alphabet):
 
 def names_of(patterns, head):
     """The names of all parameters in reading order, each once."""
-    names = [name for pattern in patterns for name in pattern.parameters]
-    for name in names:
-        if names.count(name) > 1:
+    names = {}
+    for name in (name for pattern in patterns for name in pattern.parameters):
+        if name in names:
             head.refuse("each name for one parameter", head.text.rfind(name), shown(name))
+        names[name] = None
     return tuple(names)

@@ -4,6 +4,7 @@
 
 import re
 from dataclasses import fields
+from math import isfinite, nan
 
 from ..parameters import ShapeError, require
 from . import directives
@@ -20,6 +21,7 @@ from .vocabulary import value, words
 
 LONGEST = 1_000_000  # characters of a text
 MOST_LINES = 20_000
+MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
 SECTION = re.compile(
     r"\s*(axiom|ω|productions|group\s+\d{1,6}|decomposition|homomorphism|maximum\s+depth)\s*:", re.IGNORECASE
@@ -42,6 +44,8 @@ class Reader:
             return act(*told)
         except PassageError as wrong:
             self.problems.append(wrong.problem)
+            if len(self.problems) > MOST_PROBLEMS:
+                raise GrammarError(self.problems) from None
 
     def parted(self, line, number):
         """A line as the word of its directive, or nothing, its passage without comment, and the comment."""
@@ -173,6 +177,19 @@ class Reader:
         return named | {"groups": tuple(groups)}
 
 
+def numbers(given):
+    """The values of constants, each a finite number."""
+    require(given is None or isinstance(given, dict), "must be a dict of names and numbers", given, "constants")
+    found = {}
+    for name, told in (given or {}).items():
+        try:
+            found[name] = nan if isinstance(told, (str, bytes)) else float(told)
+        except (TypeError, ValueError, OverflowError):
+            found[name] = nan
+        require(isfinite(found[name]), f"must have a finite number for {name!r}", told, "constants")
+    return found
+
+
 def read(kind, text, given):
     """The system that a text describes.
 
@@ -181,21 +198,21 @@ def read(kind, text, given):
     kind : class
         LSystem.
     text : str
-    given : dict of str to float
+    given : dict of str to float or None
         Values of constants that stand for those of the text.
 
     Raises
     ------
     GrammarError
-        With every line that is wrong.
+        With every line that is wrong, up to 200.
     """
     require(isinstance(text, str), "must be text", text)
-    if len(text) > LONGEST or text.count("\n") >= MOST_LINES:
-        lines = text.count("\n") + 1
+    lines = 1 + text.count("\n") + text.count("\r") - text.count("\r\n")
+    if len(text) > LONGEST or lines > MOST_LINES:
         most = f"at most {LONGEST:,} characters in {MOST_LINES:,} lines"
         raise ShapeError(f"must have {most}, got {len(text):,} in {lines:,}", "grammar")
     try:
-        told = Reader(translated(text), given).read()
+        told = Reader(translated(text), numbers(given)).read()
     except GrammarError as refusal:
         raise placed(refusal, text) from None
     assert told.keys() <= {field.name for field in fields(kind)}

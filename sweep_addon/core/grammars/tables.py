@@ -197,7 +197,9 @@ class Template:
         self.rule = rule
         self.sources = sources(rule) if rule else {}
         each = [(k, c, p) for k, module in enumerate(modules) for c, p in enumerate(module.parameters)]
-        self.fixed = [(k, c, float(p.run({}))) for k, c, p in each if not p.names]
+        fixed = [(k, c, p) for k, c, p in each if not p.names]
+        values = {id(p): float(p.run({})) for p in {id(p): p for _, _, p in fixed}.values()}  # one for all alike
+        self.fixed = [(k, c, values[id(p)]) for k, c, p in fixed]
         self.formulas = [(k, c, p) for k, c, p in each if p.names]
         self.random = any(name.startswith(DRAW) for _, _, p in self.formulas for name in p.names)
 

@@ -5,6 +5,8 @@
 The formulas themselves are those of laws: `core.expressions` reads both.
 """
 
+from collections import ChainMap
+
 import numpy as np
 
 from ..expressions import DRAW, MisreadError, read
@@ -31,6 +33,7 @@ RANDOM = {
     "nran": (normal, 2, 2, 2),
 }
 IN_DEGREES = FUNCTIONS | DEGREES
+WITH_CHANCE = IN_DEGREES | RANDOM
 
 
 def words(constants, random=True):
@@ -43,7 +46,7 @@ def words(constants, random=True):
     random : bool
         Whether it may draw random numbers: where a module becomes others it may, constants of the text may not.
     """
-    return Vocabulary(CONSTANTS | constants, IN_DEGREES | RANDOM if random else IN_DEGREES)
+    return Vocabulary(ChainMap(constants, CONSTANTS), WITH_CHANCE if random else IN_DEGREES)
 
 
 def formula(passage: Passage, names, vocabulary, drawn=0):

@@ -5,7 +5,7 @@
 import re
 from typing import NamedTuple
 
-from ..modules import after_blanks, bracketed
+from ..modules import bracketed
 from ..passages import Passage, shown
 
 SINGLE = re.compile(r"[!-~]")
@@ -55,6 +55,13 @@ def modules(passage: Passage, names=SINGLE):
         found.append(Said(match.group(), at, parameters))
         at = end
     return found
+
+
+def after_blanks(text, at):
+    """The next place that is no blank, or the end."""
+    while at < len(text) and text[at].isspace():
+        at += 1
+    return at
 
 
 def outside(text, sign):

@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grammars that mean harm, or that somebody has half typed: a word and a figure of them, or a refusal, and soon."""
+
+import time
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from test_grammar_conformance import ENTRIES, text
+from test_grammar_dialects import FASS, LEAF
+from test_grammar_language import WHOLE
+
+from sweep_addon.core.grammars import Budget, GrammarError, LSystem
+from sweep_addon.core.parameters import ShapeError
+
+SMALL = Budget(modules=5000, bytes=5_000_000, seconds=1)
+SECONDS = 2.0  # of processor time, for the largest texts that there may be
+MANY = settings(max_examples=10 * settings().max_examples)
+PIECES = (
+    "axiom: |#define a |#names |#ignore |#consider |#angle |#groups |#tropism |#dialect cpfg|#dialect fractint|group 2:"
+    "|decomposition:|homomorphism:|maximum depth: |-(0.5)->|->|-->| : | < | > |[|]|(|)|{|}|.|,|*|&&|ran(|nran(1,|if("
+    "|A(x)|A|B(x,y)|x|y|F|F(1)|f|G|+|-|&|^|\\|/|$|!|'|~|%|?P(x,y,z)|@Gs|@Ge|0|1|2|0.5|1e308|1e-308|/0|\0"
+    "|\n|\n|\n| |Ω|\ud800"
+)
+
+
+def drawn(told):
+    """All that comes of a text, within the budget; or nothing, where the text is refused."""
+    try:
+        word = LSystem.parse(told).derive(3, budget=SMALL)
+        figure = word.figure(budget=SMALL)
+        mesh = figure.mesh(sides=3)
+    except ShapeError as refusal:
+        assert str(refusal) and len(str(refusal)) < 20_000 and "Traceback" not in str(refusal)
+        return
+    assert len(word) <= SMALL.modules and isinstance(str(word), str)
+    assert figure.bounds.shape == (2, 3) and figure.at.shape == (3,) and mesh.vertices.shape[1] == 3
+    assert len(figure.order) == len(figure.axes) == len(figure.width) == len(figure.colour) == len(figure)
+    assert sum(len(organ.place) for organ in figure.organs) <= len(word)
+    assert all(len(polygon) > 2 for polygon in figure.polygons)
+
+
+@MANY
+@given(st.lists(st.sampled_from(PIECES.split("|")) | st.text(max_size=2), max_size=60).map("".join))
+def test_any_pieces_are_a_grammar_or_refused(told):
+    drawn(told if "axiom:" in told else f"axiom: A F\n{told}")
+
+
+@MANY
+@given(st.sampled_from([*map(text, ENTRIES), WHOLE, LEAF, FASS]), st.data())
+def test_any_mutation_of_a_grammar_is_one_or_refused(told, data):
+    for _ in range(data.draw(st.integers(1, 6))):
+        at, to = sorted(data.draw(st.tuples(*[st.integers(0, len(told))] * 2)))
+        new = data.draw(st.sampled_from(PIECES.split("|")))
+        change = data.draw(st.integers(0, 3))
+        if change == 0:  # a piece comes in
+            told = told[:at] + new + told[at:]
+        elif change == 1:  # a few letters go
+            told = told[:at] + told[at + data.draw(st.integers(1, 5)) :]
+        elif change == 2:  # a letter becomes a piece
+            told = told[:at] + new + told[at + 1 :]
+        else:  # a part is there twice
+            told = told[:to] + told[at : at + 200] + told[to:]
+    drawn(told)
+
+
+NAMES = "#names " + " ".join(f"nm{k}" for k in range(10_000)) + "\n"
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        f"{NAMES}axiom: {'nm1 nm9999 F' * 10_000}",
+        f"{NAMES}#ignore {' '.join(f'nm{k}' for k in range(10_000))}\naxiom: nm1\nnm1 < nm2 -> nm3",
+        "#names " + " ".join("a" * 40 + str(k) for k in range(9999)) + "\naxiom: " + ("a" * 60 + " ") * 5000,
+        "#names " + " ".join("a" * k for k in range(2, 65)) + " " + "a" * 63 + "b\naxiom: " + ("a" * 62 + "c") * 8000,
+        "\n".join(f"#define a{k} a{k + 1}" for k in range(10_000)) + "\n#define a10000 1\naxiom: A(a0)",
+        "#define a0 1\n" + "\n".join(f"#define a{k + 1} a{k}" for k in range(10_000)) + "\naxiom: A(a10000)",
+        "\n".join(f"#define a{k} a{(k + 1) % 10_000}" for k in range(10_000)) + "\naxiom: A(a0)",
+        "\n".join(f"#define a{k} 1" for k in range(9000)) + "\naxiom: A" + "\nA(x) -> A(x+a7)" * 9000,
+        "\n".join(f"#define a{k} 1" for k in range(9000)) + "\naxiom: A" + "\nA(x) -> A(q)" * 9000,
+        "axiom: A" + "\nF -> [(" * 19_000,
+        "axiom: A\n" + ",".join(f"a{k}" for k in range(100_000)).join(("A(", ") -> B")),
+        "axiom: A\n" + "".join(f"A(a{k})" for k in range(50_000)) + " < A > B -> C",
+        "axiom: A\nA -> B" + "\ngroup 1:\nA -> C" * 9000,
+        "axiom: A\nA > B -(0.00001)-> B" * 9000,
+        "axiom: F\nF" + "->F" * 300_000,
+        "axiom: F\nF -" + "(" * 400_000 + "1" + ")" * 400_000 + "-> F",
+        "axiom: F\nn=5" + " " * 900_000 + "x",
+        "axiom: F" + "(1)F" * 200_000,
+        "axiom: F" + " " * 900_000 + "F",
+        "\r" * 900_000,
+        "\n" * 10_000_000,
+        "x" * 10_000_000,
+    ],
+    ids=range(22),
+)
+def test_no_text_takes_long_to_read(told):
+    started = time.process_time()
+    try:
+        LSystem.parse(told).compiled  # noqa: B018 as a derivation does first
+    except ShapeError as refusal:
+        assert len(str(refusal)) < 20_000
+    assert time.process_time() - started < SECONDS
+
+
+@pytest.mark.parametrize("given", [{"a": "1"}, {"a": None}, {"a": 10**400}, {"a": 1e999}, {"a": [1]}, [1], {1: 2}])
+def test_only_finite_numbers_stand_for_constants(given):
+    with pytest.raises(ShapeError, match="constants: must"):
+        LSystem.parse("#define a 1\naxiom: A(a)", given)
+
+
+@pytest.mark.parametrize("told", ["axiom: F\ud800F", "#names \udcff\naxiom: F", "axiom: \u202eF\x7f\x9b"])
+def test_what_cannot_be_printed_is_refused_in_print(told):
+    with pytest.raises(GrammarError) as refusal:
+        LSystem.parse(told)
+    assert str(refusal.value).encode() and str(refusal.value).replace("\n", "").isprintable()
