@@ -13,11 +13,13 @@ from sweep_addon.core.contours import Circle, Outline, Rectangle, RegularPolygon
 from sweep_addon.core.contours.region import Region
 from sweep_addon.core.general_sweep import GeneralSweep
 from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.membership import classify
 from sweep_addon.core.motion import Motion, Parallel
 from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import Count
 from sweep_addon.core.solids import Ball, Block, Bracket, Cylinder, DrilledBlock, Triangles
 from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline, TorusKnot
+from sweep_addon.core.vectors import unit
 
 CUBE = Block(0.4, 0.4, 0.4)
 RANDOM = 250 if FULL else 5 if BRIEF else 10
@@ -338,6 +340,39 @@ def test_a_region_is_carried_by_the_frame():
     mesh = GeneralSweep(Region("x^2 + y^2 - 0.04"), Arc(), frame="rotation-minimizing", cells=128).mesh()
     assert mesh.volume() == pytest.approx(0.04 * pi * pi, rel=1e-2)
     assert np.hypot(*mesh.vertices[:, :2].T).max() == pytest.approx(1.2, abs=1e-3)
+
+
+RING = dict(trajectory=Arc(1.0, 2 * pi), frame="rotation-minimizing")
+
+
+@pytest.mark.parametrize(
+    ("formula", "squares"),
+    [("x^2 + y^2 - 0.04", 0.04), ("x^2 + y^2 - (0.2 + 0.05*cos(6*pi*t))^2", 0.04 + 0.05**2 / 2)],
+    ids=["a disc", "one that breathes"],
+)
+def test_round_a_closed_path_a_region_closes(formula, squares):
+    """Pappus: the mean area of the discs times the way of their centre; and no face stands across the ring."""
+    sweep = GeneralSweep(Region(formula), cells=160, **RING)
+    mesh = sweep.mesh()
+    assert_solid(mesh, 0)
+    assert mesh.volume() == pytest.approx(pi * squares * 2 * pi, rel=5e-3)
+    inner = mesh.vertices - unit(mesh.vertices * (1, 1, 0))
+    assert np.linalg.norm(inner, axis=1).min() > 0.149  # of caps some vertices would be within the tube
+    assert classify(sweep, np.array([(1.0, 0, 0), (1.0, 0.1, 0.0), (0.7, 0, 0)]), 1e-6).tolist() == [1, 1, -1]
+
+
+def test_a_region_that_is_another_in_the_end_has_two_ends_round_a_closed_path():
+    mesh = GeneralSweep(Region("x^2 + y^2 - 0.04*(1 - t/2)"), cells=64, **RING).mesh()
+    assert mesh.euler_characteristic() == 2
+    assert len(mesh.boundary_edges()) == 0
+
+
+def test_a_region_closes_round_a_path_that_is_shorter_than_the_region_is_wide():
+    """A disc of 0.2 m about an axis 0.3 m away, of which more is looked at than the way is long."""
+    given = RING | {"trajectory": Arc(0.3, 2 * pi), "cells": 64}
+    mesh = GeneralSweep(Region("x^2 + y^2 - 0.04", size=2.0), **given).mesh()
+    assert mesh.volume() == pytest.approx(0.04 * pi * 0.6 * pi, rel=2e-2)
+    assert_solid(mesh, 0)
 
 
 def test_a_region_that_runs_backward_looks_outward():

@@ -189,7 +189,7 @@ def of_planar(shape):
 def figure(shape):
     """The region of a planar figure in general motion, and whether it comes back to where it began."""
     if isinstance(shape.generator, Region):
-        return Level(shape.generator, arc_length(shape.trajectory).total), False
+        return Level(shape.generator, arc_length(shape.trajectory).total), shape.swept().comes_back
     points = section_of(shape.generator, Fit.INSCRIBED).points
     closed = shape.motion.comes_back(np.column_stack((points, np.zeros(len(points)))))
     return Still(region(shape.generator)), closed

@@ -1,6 +1,11 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sweep of a region: the surface of a formula over plane and way, put where the region stands."""
+"""The sweep of a region: the surface of a formula over plane and way, put where the region stands.
+
+Where the way leads back to its start, it is bent to a ring on which the formula has neither a start nor an end.
+"""
+
+from functools import cached_property
 
 import numpy as np
 
@@ -12,10 +17,12 @@ from ..trajectories.arc_length import arc_length
 from ..vectors import norms, unit
 from .planar import raised
 
+SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 QUICK = 160  # cells of what is made in a tenth of a second or two
 SLOPED = 33  # places along each side where it is looked at how steep the formula is
 ROOM = 1.25  # for what is steeper between them
 DIFFERENCE = 1e-6  # of the size: over which slopes are taken
+SAME = 1e-9  # of the largest value: by less the formula may differ at both ends of what is a ring
 FLAT = 1e-3  # of the steepest slope: where it is less, the way to the surface is not told by it
 
 
@@ -31,13 +38,22 @@ class Changing:
         self.shape, self.motion, self.region = shape, shape.motion, shape.generator
         self.total = arc_length(shape.trajectory).total
 
+    @cached_property
+    def comes_back(self):
+        """Whether a closed trajectory brings the region back to where it began, as it was."""
+        if not self.motion.comes_back(raised(self.region.size / 2 * SQUARE)):
+            return False
+        side = np.linspace(-self.region.size / 2, self.region.size / 2, SLOPED)
+        first, last = (self.region.evaluate(*np.meshgrid(side, side), t) for t in (0.0, 1.0))
+        return bool(np.abs(last - first).max() <= SAME * np.abs(first).max())
+
     def mesh(self, dtype=np.float64):
-        half, total = self.region.size / 2, self.total
-        step = max(self.region.size, total) / self.shape.cells
-        found = level_set(OverTheWay(self.region, total), (-half, -half, 0.0), (half, half, total), step)
+        field = (RoundTheWay if self.comes_back else OverTheWay)(self.region, self.total)
+        found = level_set(field, *field.box, max(self.region.size, self.total) / self.shape.cells)
         require(found is not None, "must be so many that a part of the region holds one", self.shape.cells, "cells")
-        made = polyhedron(self.placed(found.vertices.places).astype(dtype), found.triangles)
-        return made if made.volume() > 0 else polyhedron(made.vertices, found.triangles[:, ::-1])  # it ran backward
+        places = self.placed(field.over_the_way(found.vertices.places)).astype(dtype)
+        made = polyhedron(places, found.triangles)
+        return made if made.volume() > 0 else polyhedron(places, found.triangles[:, ::-1])  # it ran backward
 
     def placed(self, points):
         """Points of x, y and the way (n, 3) where the motion takes them: (n, 3)."""
@@ -61,8 +77,7 @@ class Changing:
 
     def outlines(self, poses):
         """The square that is looked at, in some poses: a (n, 4, 3) float array."""
-        half = self.region.size / 2
-        return (self.motion.posed(raised(half * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])), poses),)
+        return (self.motion.posed(raised(self.region.size / 2 * SQUARE), poses),)
 
 
 class OverTheWay(AnyField):
@@ -75,12 +90,24 @@ class OverTheWay(AnyField):
         The length of the way in metres.
     """
 
+    stretch = 1.0  # how much farther the way leads at most where this is bent
+
     def __init__(self, region, total):
         self.region, self.total = region, total
         self.step = DIFFERENCE * max(region.size, total)
         side, way = np.linspace(-region.size / 2, region.size / 2, SLOPED), np.linspace(0.0, total, SLOPED)
         values = region.evaluate(*np.meshgrid(side, side, way / total, indexing="ij"))
-        self.steepest = ROOM * np.sqrt(sum(slope**2 for slope in np.gradient(values, side, side, way))).max()
+        slopes = np.gradient(values, side, side, way / self.stretch)
+        self.steepest = ROOM * np.sqrt(sum(slope**2 for slope in slopes)).max()
+
+    @property
+    def box(self):
+        half = self.region.size / 2
+        return (-half, -half, 0.0), (half, half, self.total)
+
+    def over_the_way(self, points):
+        """The x, y and way of points of this space, (n, 3)."""
+        return points
 
     def formula(self, points):
         """The formula and how far points are beyond the ends: two (n,)."""
@@ -110,3 +137,33 @@ class OverTheWay(AnyField):
             np.where(at_end[:, None], ends, unit(slopes)),
             np.empty((len(points), 0)),
         )
+
+
+class RoundTheWay(OverTheWay):
+    """The field of a region over x, y and the angle round a ring, which is as long as the way at least.
+
+    x leads away from the ring's axis, and y against it; the middle of the square is at the ring's radius.
+    """
+
+    def __init__(self, region, total):
+        self.radius = max(total / (2 * np.pi), region.size)  # the whole square stays off the axis
+        self.stretch = total / (2 * np.pi * (self.radius - region.size / 2))
+        super().__init__(region, total)
+
+    @property
+    def box(self):
+        half = self.region.size / 2
+        high = np.array((self.radius + half, self.radius + half, half))
+        return -high, high
+
+    def over_the_way(self, points):
+        part = np.arctan2(points[:, 1], points[:, 0]) / (2 * np.pi) % 1.0
+        return np.stack((np.hypot(*points[:, :2].T) - self.radius, -points[:, 2], part * self.total), axis=1)
+
+    def formula(self, points):
+        """The formula, in the square that is looked at; no point is beyond an end."""
+        x, y, s = self.over_the_way(points).T
+        half = self.region.size / 2
+        beyond = np.maximum(np.abs(x), np.abs(y)) - half
+        value = self.region.evaluate(x.clip(-half, half), y.clip(-half, half), s / self.total)
+        return np.where(beyond > 0, np.maximum(value, beyond * self.steepest), value), np.full(len(x), -np.inf)
