@@ -30,7 +30,7 @@ def with_polygons(mesh, figure):
 def attributes(figure):
     """Values at each vertex of the polygons, of the segment that they grow on where they have none of their own."""
     walk, filled = figure.walk, figure.filled
-    segment = walk.branches.before(filled.place, walk.looked_up(walk.drawing))
+    segment = walk.branches.before(filled.place, walk.shown)
     values = {name: np.append(getattr(figure, name), -1)[segment] for name in ("axis", "order")}
     values |= {"radius": np.zeros(len(segment)), "birth": walk.word.births[filled.place]}
     values["colour"] = figure.colours(filled.place)

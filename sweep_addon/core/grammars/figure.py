@@ -10,6 +10,7 @@ from . import turns
 from .filling import organs, polygons, position
 from .scaling import WIDTH, scaled
 
+ALMOST = 1e-6  # of the sine between a heading and a left that is none
 THINNER = 0.5**0.5  # what a diameter is multiplied by where none is said: two such branches are as thick as one before
 
 
@@ -21,7 +22,8 @@ class Figure:
     start, end : (n, 3) float array
         The ends of each segment, in metres.
     place : (n,) int array
-        The module of each segment in the word that was interpreted.
+        The module of each segment in the word that the turtle walks: the interpreted one, in which a mark of a
+        generalized cylinder stands once for each of its segments.
 
     Examples
     --------
@@ -52,17 +54,38 @@ class Figure:
     @cached_property
     def axes(self):
         """(n, 3, 3) float array: heading, left and up of the turtle on each segment."""
-        return turns.axes(*turns.taken(self.orientations(), self.drawn))
+        axes = turns.axes(*turns.taken(self.orientations(), self.drawn))
+        cylinders = self.walk.cylinders
+        return along(axes, self.end - self.start, cylinders.bends[self.place]) if cylinders else axes
 
     @cached_property
     def width(self):
-        """(n,) float array: the diameter of each segment, in metres."""
+        """(n,) float array: the diameter of each segment where it begins, in metres."""
+        return self.tapering(0)
+
+    @cached_property
+    def tip(self):
+        """(n,) float array: the diameter of each segment where it ends, if nothing goes on from it, in metres."""
+        return self.tapering(1)
+
+    def tapering(self, end):
+        """(n,) float array: the diameter where segments begin or end, of which those of curves taper."""
+        found, cylinders = self.widths(self.place), self.walk.cylinders
+        if cylinders:
+            bends = np.flatnonzero(cylinders.bends[self.place])
+            place = self.place[bends]
+            first = self.widths(cylinders.before[place])
+            found[bends] = first + (found[bends] - first) * (cylinders.ends if end else cylinders.begins)[place]
+        return found
+
+    def widths(self, place):
+        """(k,) float array: the diameter at modules of the word."""
         sets = self.walk.chosen("!", given=True)
-        found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times, self.place)
+        found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times, place)
         if not self.walk.numbers(WIDTH):
             return found
-        last = self.walk.branches.before(self.place, sets)
-        return found * scaled(self.walk, WIDTH, self.place, np.append(np.flatnonzero(sets), -1)[last])
+        last = self.walk.branches.before(place, sets)
+        return found * scaled(self.walk, WIDTH, place, np.append(np.flatnonzero(sets), -1)[last])
 
     @cached_property
     def colour(self):
@@ -81,22 +104,32 @@ class Figure:
     @cached_property
     def parent(self):
         """(n,) int array: the segment that each goes on from, or -1."""
-        return self.walk.branches.previous(self.walk.branches.first(self.walk.looked_up(self.walk.drawing)))
+        return self.walk.branches.previous(self.walk.branches.first(self.walk.shown))
 
     @cached_property
     def branch(self):
         """(n,) int array: the branch of each segment, the part of the word within one pair of brackets."""
         branches = self.walk.branches
-        first = branches.first(self.walk.looked_up(self.walk.drawing))
+        first = branches.first(self.walk.shown)
         return np.repeat(branches.branch, np.diff(first))
+
+    @cached_property
+    def follows(self):
+        """(n,) bool array: whether each segment begins where its parent ends."""
+        walk = self.walk
+        moved = walk.branches.previous(walk.branches.first(walk.is_moving))[self.drawn]
+        found = (moved >= 0) & self.drawn[moved]
+        if walk.cylinders:  # whose turtle moves between two curves, and draws nothing
+            place = self.place
+            of = walk.cylinders.bends[place]
+            found |= of & (walk.cylinders.begins[place] == 0) & walk.cylinders.bends[walk.cylinders.before[place]]
+        return found
 
     @cached_property
     def joined(self):
         """(n,) bool array: whether each segment begins where its parent ends, in the same branch."""
-        walk, parent = self.walk, self.parent
-        moved = walk.branches.previous(walk.branches.first(walk.is_moving))[self.drawn]
-        straight = (moved >= 0) & self.drawn[moved]
-        return straight & (parent >= 0) & (self.branch[parent] == self.branch)
+        parent = self.parent
+        return self.follows & (parent >= 0) & (self.branch[parent] == self.branch)
 
     @cached_property
     def filled(self):
@@ -191,3 +224,16 @@ class Figure:
             times[last >= 0] -= counted[np.flatnonzero(sets)[last[last >= 0]]]
             value = combine(value, change(times))
         return value
+
+
+def along(axes, way, which):
+    """(n, 3, 3) float array: axes of which some head along their way, with the left that is next to their own."""
+    size = np.linalg.norm(way, axis=1)
+    which = np.flatnonzero(which & (size > 0))
+    heading, left = way[which] / size[which, None], axes[which, 1]
+    left = left - np.einsum("ij,ij->i", left, heading)[:, None] * heading
+    short = np.linalg.norm(left, axis=1) < ALMOST
+    left[short] = np.cross(axes[which[short], 2], heading[short])  # where that heads along its own left
+    left /= np.linalg.norm(left, axis=1)[:, None]
+    axes[which] = np.stack((heading, left, np.cross(heading, left)), axis=1)
+    return axes

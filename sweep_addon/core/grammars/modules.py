@@ -15,7 +15,7 @@ from ..frozen import frozen
 from .passages import Passage, shown
 from .vocabulary import draws, formula
 
-BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "@Sl", "@Sa", "@Sw", "?P", "?H", "?L", "?U", "?E")
+BUILT_IN = ("@v", "@Gs", "@Gc", "@Ge", "@Gt", "@Sl", "@Sa", "@Sw", "?P", "?H", "?L", "?U", "?E")
 QUERIES, ENVIRONMENT = ("?P", "?H", "?L", "?U"), "?E"
 OPEN, CLOSE = "[", "]"
 NEVER = frozenset("()<>*#:")  # characters that are part of the notation

@@ -75,7 +75,7 @@ class Tokens:
         parent = walk.branches.previous(self.first)
         depth = walk.branches.sums(np.ones(self.count, dtype=np.int32), self.first)[0]
         self.drawing = np.zeros(self.count, dtype=bool)
-        self.drawing[self.of_move[walk.is_drawn]] = True
+        self.drawing[self.of_move[walk.drawing[walk.symbols[walk.moves]]]] = True
         change = self.changed if walk.bends or walk.levels else None
         z, w = turns.along_paths(self.relative, parent, depth, walk.start, change)
         return z[self.of_move], w[self.of_move]

@@ -45,9 +45,7 @@ def wires(figure):
     """Segments as edges, which share vertices where one goes on from the other."""
     count = len(figure)
     require_few(2 * count, "sides")
-    walk = figure.walk
-    moved = walk.branches.previous(walk.branches.first(walk.is_moving))[figure.drawn]
-    own = (moved < 0) | ~figure.drawn[moved]
+    own = ~figure.follows
     start = np.where(own, count + np.cumsum(own) - 1, figure.parent)
     edges = np.column_stack((start, np.arange(count))).astype(np.int32)
     none = np.zeros(0, dtype=np.int32)
@@ -81,10 +79,13 @@ def tubes(figure, sides):
     segment[lower + 1], segment[lower] = order, order
     along, across = frames(figure, order, begins)
     offsets = mitred(along, across, begins, ends, lower, rings, sides)
-    offsets *= (figure.width[segment] / 2)[:, None, None]
+    radius = figure.width[segment] / 2
+    radius[lower[ends] + 1] = figure.tip[order[ends]] / 2
+    offsets *= radius[:, None, None]
     vertices = (points[:, None] + offsets).reshape(-1, 3)
     topology = laid(lower.astype(np.int32), lower[begins], lower[ends] + 1, rings, sides)
-    return Mesh(vertices, topology, Chart(attributes(figure, np.repeat(segment, sides)), len(order)))
+    values = attributes(figure, np.repeat(segment, sides)) | {"radius": np.repeat(radius, sides)}
+    return Mesh(vertices, topology, Chart(values, len(order)))
 
 
 def frames(figure, order, begins):

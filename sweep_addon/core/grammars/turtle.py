@@ -4,7 +4,8 @@
 
 Symbols are those of the book: ``F G`` draw a segment and ``f`` moves without; ``+ -`` turn left and right, ``& ^``
 down and up, ``\\ /`` roll left and right, ``|`` turns about; ``$`` and ``@v`` roll until the left is level; ``!`` sets
-the diameter and ``'`` the colour; ``[ ]`` begin and end a branch; ``{ . }`` make a polygon, and ``~`` places an organ.
+the diameter and ``'`` the colour; ``[ ]`` begin and end a branch; ``{ . }`` make a polygon, and ``~`` places an organ;
+``@Gs @Gc @Ge`` make a generalized cylinder.
 """
 
 import re
@@ -13,11 +14,13 @@ import numpy as np
 
 from . import turns
 from .branches import Branches
+from .cylinders import MARKS, Cylinders, marked
 from .figure import Figure
 from .modules import CLOSE, OPEN
 from .plane import Plane
 from .scaling import ANGLE, LENGTH, scaled
 from .tokens import LEVELS, SPATIAL, TURNS, Tokens
+from .word import Word
 
 DRAWS, SKIPS = ("F", "G"), ("f",)
 EDGE = re.compile("F[A-Za-z0-9]")  # edges of which there are several kinds, as Fl and Fr
@@ -40,19 +43,27 @@ class Walk:
     """
 
     def __init__(self, word, upright=None, system=None, stops=()):
-        self.word, self.symbols, self.system = word, word.symbols, system or word.tables.system
+        self.system = system or word.tables.system
+        self.cylinders = Cylinders(word) if marked(word) else None
+        if self.cylinders:
+            word = Word(word.tables, self.cylinders.state, word.generations, word.seed)
+        self.word, self.symbols = word, word.symbols
         self.named = {}
         for number, (name, count) in enumerate(word.tables.symbols):
             self.named.setdefault(name, []).append((number, count))
         drawn = [name for name in self.named if name in DRAWS or EDGE.fullmatch(name)]
         self.drawing, self.moving, self.stops = self.table(*drawn), self.table(*drawn, *SKIPS), list(stops)
+        self.stops += self.numbers(*MARKS)
         self.moving[self.stops] = True
         self.bytes = self.symbols.tobytes() if self.symbols.dtype == np.uint8 else None
         brackets = np.flatnonzero(self.chosen(OPEN, CLOSE))
         self.branches = Branches(brackets, self.table(OPEN)[self.symbols[brackets]])
         self.is_moving = self.looked_up(self.moving)
         self.moves = np.flatnonzero(self.is_moving)
-        self.is_drawn = self.drawing[self.symbols[self.moves]]
+        self.shown = self.looked_up(self.drawing)
+        if self.cylinders:
+            self.shown = self.shown & ~self.cylinders.hidden | self.cylinders.bends
+        self.is_drawn = self.shown[self.moves]
         turning = any(self.named.get(name) for name in SPATIAL)
         self.spatial = turning or self.system.tropism is not None
         along = self.system.heading if upright is None else "z" if upright else "x"
@@ -113,6 +124,8 @@ class Walk:
             def found():
                 return pair
 
+        if self.cylinders:
+            start, end = self.cylinders.shaped(self, start, end, found())
         return Figure(self, start, end, found)
 
     def points(self, columns):

@@ -42,10 +42,10 @@ PATTERN = re.compile(
 )
 SHOWN = re.compile(rf"\s*(?:{VIEW.replace(' ', chr(92) + 's*')})\s*:.*", re.IGNORECASE)
 NOTHING = re.compile(rf"\s*(?:{'|'.join(ZERO)})\s*:\s*0*\.?0*\s*|\s*color increment\s*:\s*1\s*", re.IGNORECASE)
-NAMES = re.compile(r"@G[sce]|@[!-~]|\?[A-Z]|[!-~]")
+NAMES = re.compile(r"@G[scet]|@[!-~]|\?[A-Z]|[!-~]")
 SAME = frozenset("Ff+-&^\\/|[]{}.%~G")
 RENAMED = {";": "'", ",": "'", "!": "!", "#": "!"}
-KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "?P", "?H", "?L", "?U", "?E")
+KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "@Gt", "?P", "?H", "?L", "?U", "?E")
 ORGANS = {"@O": "sphere", "@o": "circle", "@c": "circle"}  # of the diameter that they say
 MOVES = "g"  # without a line or a vertex
 GRANTED = "maximum depth: 1"  # of a homomorphism and a decomposition, where the text says nothing
