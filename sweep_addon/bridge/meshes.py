@@ -15,7 +15,11 @@ import numpy as np
 from .face_offsets import write_face_offsets
 
 TEXTURE = "UVMap"
-NAMES = (TEXTURE,), ("u", "arc_length"), ("v",)  # of what each key of a chart stands for
+NAMES = (  # of what each key of a chart stands for
+    (TEXTURE,),
+    ("u", "arc_length", "radius"),
+    ("v", "colour", "birth", "axis", "order", "organ", "size"),
+)
 SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many: half a millisecond on each update
 SAME = 1e-6  # of the size: hosts differ in the last bit
 

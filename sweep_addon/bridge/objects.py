@@ -17,6 +17,7 @@ from . import meshes, rna
 beside, curves, models = later("bridge.beside"), later("bridge.curves"), later("bridge.models")
 grove, trees = later("bridge.grove"), later("bridge.trees")
 
+SLOTS = 2  # of materials: of sides and of ends
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 
 
@@ -47,8 +48,8 @@ def new_mesh(shape, name=None, **objects):
     except ShapeError:
         bpy.data.meshes.remove(mesh)
         raise
-    mesh.materials.append(None)
-    mesh.materials.append(None)
+    for _ in range(len(mesh.materials), SLOTS):
+        mesh.materials.append(None)
     return mesh
 
 

@@ -64,4 +64,4 @@ def mesh(plant, dtype):
     """The mesh of a plant; `Plant.mesh` says of what."""
     asked = plant.system, plant.constants, plant.generations, plant.seed, plant.budget
     found = figure(*asked, system(plant), plant.upright.upright)
-    return drawn(found, getattr(plant.output, "sides", 0)).astype(dtype)
+    return drawn(found, getattr(plant.output, "sides", 0), plant.texture, plant.attributes, dtype)

@@ -53,6 +53,9 @@ def put(mesh, made, wanted, solid=""):
     sweep = mesh.sweep
     known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
     sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known)
+    if sweep.kind == GROWN:
+        for _ in range(len(mesh.materials), int(made.topology.material.max(initial=0)) + 1):
+            mesh.materials.append(None)  # a slot of each colour, for people to fill
     sweep.made, sweep.rings, sweep.version = wanted, made.rings, VERSION
     for name, value in (("error", ""), ("told", "\n".join(made.told)), ("edited", False), ("solid", solid)):
         set_if_other(sweep, name, value)

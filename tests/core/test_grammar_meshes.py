@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.grammars import LSystem
-from sweep_addon.core.grammars.faces import FACE
 from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.plant import Plant
 
 PLANT = "#angle 22.5\naxiom: X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\n"
 HONDA = """axiom: A(1,0.1)
@@ -54,15 +54,16 @@ def test_a_mitred_tube_has_the_volume_of_its_contour_times_its_length(turns_, si
 
 def test_a_tube_that_only_rolls_does_not_twist():
     figure = LSystem.parse("axiom: F/(40)F/(40)F\\(10)F").derive(0).figure()
-    vertices = figure.mesh(5).vertices.reshape(-1, 5, 3)
-    assert np.abs(vertices[:, :, 1:] - vertices[:1, :, 1:]).max() < 1e-15
+    vertices = figure.mesh(5).vertices.reshape(5, -1, 3)
+    assert np.abs(vertices[:, :, 1:] - vertices[:, :1, 1:]).max() < 1e-15
 
 
 def test_a_tube_tapers_to_the_width_of_the_next_segment():
     figure = LSystem.parse("axiom: !(2)F!(1)F").derive(0).figure()
-    radii = np.linalg.norm(figure.mesh(4).vertices.reshape(-1, 4, 3)[:, :, 1:], axis=2)
-    assert radii == pytest.approx(np.repeat([[1.0], [0.5], [0.5]], 4, axis=1))
-    assert set(figure.mesh(4).attributes) == {"radius", "colour", "birth", "axis", "order"}
+    mesh = figure.mesh(4)
+    radii = np.linalg.norm(mesh.vertices.reshape(4, -1, 3)[:, :, 1:], axis=2)
+    assert radii == pytest.approx(np.repeat([[1.0, 0.5, 0.5]], 4, axis=0))
+    assert set(mesh.attributes) == {"u", "arc_length", "v", "radius", "colour", "birth", "axis", "order"}
 
 
 def test_wires_share_vertices_where_segments_meet():
@@ -91,8 +92,8 @@ def test_each_polygon_is_a_face_beside_the_tubes():
     system = LSystem.parse(f"#angle 90\naxiom: '(3)F[''{square}F']{square}")
     figure = system.derive(0).figure()
     mesh, alone = figure.mesh(6), LSystem.parse("#angle 90\naxiom: '(3)F[''ffffFf']ffff").derive(0).figure().mesh(6)
-    leaves = mesh.topology.material == FACE
-    assert leaves.sum() == 2 and np.diff(mesh.offsets)[leaves].tolist() == [4, 4]
+    faces = len(alone.offsets) - 1
+    assert mesh.topology.material[faces:].tolist() == [5, 3] and np.diff(mesh.offsets)[faces:].tolist() == [4, 4]
     assert mesh.area() == pytest.approx(alone.area() + 2, rel=1e-12)
     assert len(mesh.vertices) == len(alone.vertices) + 8 and len(mesh.boundary_edges()) == 8
     assert not len(mesh.non_manifold_edges())
@@ -103,6 +104,63 @@ def test_each_polygon_is_a_face_beside_the_tubes():
     assert np.array_equal(ends, np.sort(np.column_stack((mesh.corners, following)), axis=1))
 
 
-def test_polygons_are_faces_beside_edges_too():
+def test_polygons_are_faces_beside_edges_too_and_without_colours_have_a_slot_of_their_own():
     mesh = LSystem.parse("#angle 90\naxiom: F{f+f+f+f}").derive(0).figure().mesh(sides=0)
     assert mesh.area() == pytest.approx(1, rel=1e-12) and len(mesh.edges) == 1 + 4
+    assert mesh.topology.material.tolist() == [2]
+
+
+LEAF = "#angle 90\n#names leaf\naxiom: F '(3) [{ +f-f-f }] ' ~leaf(0.5) f ~leaf ~A"
+
+
+@pytest.mark.parametrize("sides", [0, 5])
+def test_a_polygon_is_a_face_and_each_organ_a_point(sides):
+    mesh = LSystem.parse(LEAF).derive(0).figure().mesh(sides)
+    places = mesh.vertices[mesh.corners[mesh.offsets[-2] :]]  # polygons stand behind tubes
+    assert places.round(9).tolist() == [[1, 0, 0], [1, 1, 0], [2, 1, 0], [2, 0, 0]]
+    assert len(mesh.offsets) == (2 if sides == 0 else 5 + 2 + 2) and mesh.topology.material[-1] == 3
+    organ, size, colour = (mesh.attributes[name] for name in ("organ", "size", "colour"))
+    assert organ[organ > 0].tolist() == [1, 1, 2] and size[organ > 0].tolist() == [0.5, 1, 1]
+    assert colour[organ > 0].tolist() == [4, 4, 4]
+    assert mesh.vertices[organ > 0].tolist() == [[1, 0, 0], [2, 0, 0], [2, 0, 0]]
+    assert mesh.told == ("Organs are points, by their attribute: 1 leaf (2), 2 A (1).",)
+
+
+def test_the_colour_of_a_segment_is_the_number_of_its_material_slot():
+    mesh = LSystem.parse("axiom: F'F''F'(99)F").derive(0).figure().mesh(3)
+    slots, ahead = mesh.topology.material, np.add.reduceat(mesh.vertices[mesh.corners, 0], mesh.offsets[:-1]) / 4
+    assert {slot: {*ahead[:12][slots[:12] == slot].round(6)} for slot in {*slots.tolist()}} == {
+        0: {0.5}, 1: {1.5}, 3: {2.5}, 63: {3.5}
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("texture", ["lengths", "unit"])
+def test_texture_coordinates_are_lengths_along_and_round_or_parts_of_them(texture):
+    """Of a straight tube, 3 long, of six sides and a radius of 0.5: its hexagon is 3 round, and has sides of 0.5."""
+    shape = Plant("#width 1\naxiom: F(1)F(2)", output={"kind": "tubes", "sides": 6}, texture=texture)
+    mesh = shape.mesh()
+    uv = mesh.uv[: 4 * 12].reshape(12, 4, 2)
+    size = np.array([1, 1] if texture == "lengths" else [3, 3])
+    places = mesh.vertices[mesh.corners[:48]].reshape(12, 4, 3)
+    assert uv[..., 0] * size[0] == pytest.approx(places[..., 0])
+    width = np.abs(uv[:, 0, 1] - uv[:, 1, 1]) * size[1]
+    assert width == pytest.approx(0.5) and uv[..., 1].min() == 0 and uv[..., 1].max() * size[1] == pytest.approx(3)
+    way, up = uv[:, 1] - uv[:, 0], uv[:, 3] - uv[:, 0]
+    assert (way[:, 0] * up[:, 1] - way[:, 1] * up[:, 0] > 0).all()  # seen from outside no picture is mirrored
+    caps = mesh.uv[48:].reshape(2, 6, 2)
+    turns = np.roll(caps, -1, axis=1) - caps
+    assert (turns[:, 0, 0] * turns[:, 1, 1] - turns[:, 0, 1] * turns[:, 1, 0] > 0).all()
+    assert np.linalg.norm(turns, axis=2) == pytest.approx(0.5)
+
+
+def test_attributes_are_of_the_segment_that_begins_there_and_lengths_along_its_axis():
+    mesh = Plant("axiom: !(2)F(1)[+(90)F(3)F(1)]'!(1)F(2)", output="edges").mesh()
+    place = {tuple(vertex): number for number, vertex in enumerate(mesh.vertices.round(9).tolist())}
+    at = {
+        name: {key: float(values[number]) for key, number in place.items()} for name, values in mesh.attributes.items()
+    }
+    base, fork, tip, end = (0, 0, 0), (1, 0, 0), (1, 4, 0), (3, 0, 0)
+    assert [at["arc_length"][key] for key in (base, fork, tip, end)] == [0, 1, 4, 3]
+    assert at["u"][fork] == pytest.approx(1 / 3) and at["u"][tip] == 1
+    assert [at["order"][key] for key in (base, tip, end)] == [0, 1, 0] and at["colour"][end] == 1
+    assert [at["radius"][key] for key in (base, end)] == [1, 0.5]

@@ -6,8 +6,10 @@ from functools import cached_property
 
 import numpy as np
 
+from ..texture import Texture
 from . import turns
 from .filling import organs, polygons, position
+from .neighbours import narrow
 from .scaling import WIDTH, scaled
 
 ALMOST = 1e-6  # of the sine between a heading and a left that is none
@@ -57,6 +59,14 @@ class Figure:
         axes = turns.axes(*turns.taken(self.orientations(), self.drawn))
         cylinders = self.walk.cylinders
         return along(axes, self.end - self.start, cylinders.bends[self.place]) if cylinders else axes
+
+    @property
+    def headings(self):
+        """(n, 3) float array: the heading of the turtle on each segment."""
+        if self.walk.cylinders:
+            return self.axes[:, 0]
+        x, yz = turns.heading(*turns.taken(self.orientations(), self.drawn))
+        return np.stack((x, yz.real, yz.imag), axis=1)
 
     @cached_property
     def width(self):
@@ -160,10 +170,14 @@ class Figure:
         One goes on from segment to segment of a branch until the turtle moves without drawing; each branch begins its
         own.
         """
-        order = np.argsort(self.branch, kind="stable")
-        number = np.empty(len(order), dtype=np.intp)
-        number[order] = np.cumsum(~self.joined[order]) - 1
+        number = np.empty(len(self), dtype=np.intp)
+        number[self.by_axis] = np.cumsum(~self.joined[self.by_axis]) - 1
         return number
+
+    @cached_property
+    def by_axis(self):
+        """(n,) int array: the segments sorted by axis, along each."""
+        return np.argsort(narrow(self.branch), kind="stable")
 
     @cached_property
     def order(self):
@@ -179,18 +193,25 @@ class Figure:
             above = np.where(above >= 0, above[above], -1)
         return steps[of_axis[self.axis]]
 
-    def mesh(self, sides=8):
+    def mesh(self, sides=8, texture=Texture.NONE, attributes=True, dtype=np.float64):
         """A closed tube along each axis, mitred where it turns, or its segments as edges; its polygons as faces.
 
         Parameters
         ----------
         sides : int
             Of each tube, from 3 to 256; 0 for edges alone. A tube is as thick where a segment begins as that is wide.
+        texture : Texture
+            How texture coordinates of tubes are measured.
+        attributes : bool
+            Whether vertices know their segments.
+        dtype : numpy dtype
+            Of the vertices.
 
         Returns
         -------
         Mesh
-            In metres, with the attributes radius, colour, birth, axis and order.
+            In metres, with the attributes u, from 0 to 1 along an axis, arc_length, along it in metres, v, round it,
+            radius, colour, birth, axis and order, and where there are organs their points, with organ and size.
 
         Raises
         ------
@@ -206,7 +227,7 @@ class Figure:
         """
         from .tubes import mesh  # figures alone need no mesh
 
-        return mesh(self, sides)
+        return mesh(self, sides, texture, attributes, dtype)
 
     def changing(self, name, default, combine, change, place):
         """(n,) float array: what modules of a name with a parameter set and others change, at modules of the word."""

@@ -143,6 +143,11 @@ class Walk:
         return made[:-1], made[1:]
 
     @property
+    def up(self):
+        """(3,) float array: the up of the turtle at first, and always where it stays in its plane."""
+        return turns.axes(*(np.array([part]) for part in self.start))[0, 2]
+
+    @property
     def bends(self):
         """Whether segments bend towards a tropism."""
         tropism = self.system.tropism
