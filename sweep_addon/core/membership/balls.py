@@ -60,7 +60,7 @@ class BallsBody:
         """What is left of labels where discs move in a plane: it is on, as it has no inside."""
         if self.normal is None:
             return labels
-        within = (np.abs((points - self.middle) @ self.normal) <= tolerance) & (labels != OUT)
+        within = (np.abs(dot(points - self.middle, self.normal)) <= tolerance) & (labels != OUT)
         return np.where(within, ON, OUT).astype(np.int8)
 
     def of_balls(self, points, tolerance):
@@ -97,7 +97,7 @@ class BallsBody:
         Some places are looked at, and where they leave the sign open Newton's method goes on from the best of them.
         """
         basis = powers(PLACES)
-        depth = np.sqrt((np.einsum("ncj,ij->nci", way, basis) ** 2).sum(axis=1)) - radius @ basis.T
+        depth = np.sqrt((np.einsum("ncj,ij->nci", way, basis) ** 2).sum(axis=1)) - np.einsum("nj,ij->ni", radius, basis)
         best = depth.argmin(axis=1)
         least = depth[np.arange(len(best)), best]
         near = np.flatnonzero(np.abs(least) <= gaps)

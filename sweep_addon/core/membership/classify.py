@@ -9,13 +9,14 @@ import numpy as np
 from ..operand import Operand
 from ..parameters import require
 from ..vectors import norms
+from .blocks import in_blocks
 from .labels import decided
 from .members import member
 
 RELATIVE, LARGEST = 1e-9, 0.1  # of the size of the set: the tolerance where none is given, and the largest
 
 
-def classify(shape, points, tolerance=None):
+def classify(shape, points, tolerance=None, progress=None):
     """Tell whether points are in a sweep or a sweep-CSG tree, on its boundary, or out of it.
 
     What has no inside, as a tube with an open end, is a surface, which points are on or out of.
@@ -28,6 +29,8 @@ def classify(shape, points, tolerance=None):
     tolerance : float, optional
         The distance from the boundary, in metres, within which a point is on it: at most a tenth of the size, by
         default a billionth of it.
+    progress : callable, optional
+        Is told which part is done, from 0 to 1; what it raises ends the work.
 
     Returns
     -------
@@ -56,7 +59,7 @@ def classify(shape, points, tolerance=None):
     found = member(shape)
     size = float(norms(found.box[1] - found.box[0]))
     tolerance = within_limits(RELATIVE * size if tolerance is None else tolerance, size)
-    return decided(found.labels(points, tolerance), points, tolerance, found)
+    return in_blocks(lambda some: decided(found.labels(some, tolerance), some, tolerance, found), points, progress)
 
 
 def within_limits(tolerance, size):

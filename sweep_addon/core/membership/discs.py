@@ -67,7 +67,7 @@ class DiscsBody(BallsBody):
         for end, at, side in zip(self.ends, self.outer, (-1.0, 1.0), strict=True):
             if end is BallEnd.ROUND:
                 continue
-            ahead = side * (points @ at[AXIS] - at[ALONG])
+            ahead = side * (dot(points, at[AXIS]) - at[ALONG])
             near = norms(points - at[PLACE]) <= at[RADIUS] + tolerance
             behind |= near & (ahead >= -tolerance)
             if end is BallEnd.FLAT:
@@ -107,7 +107,7 @@ class DiscsBody(BallsBody):
         found.append((point[turning], self.far(points[point[turning]], panel[turning], np.ones(len(turning)))))
         for end, at, side in zip(self.ends, self.outer, (-1.0, 1.0), strict=True):
             if end is BallEnd.ROUND:
-                ahead = np.flatnonzero(side * (points @ at[AXIS] - at[ALONG]) >= -tolerance)
+                ahead = np.flatnonzero(side * (dot(points, at[AXIS]) - at[ALONG]) >= -tolerance)
                 found.append((ahead, norms(points[ahead] - at[PLACE]) - at[RADIUS]))
         return tuple(np.concatenate(part) for part in zip(*found, strict=True))
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..vectors import norms
+from ..vectors import dot, norms
 from .labels import IN, ON, OUT
 
 TINY = 1e-9  # of the contour: less is the tip
@@ -13,10 +13,10 @@ TINY = 1e-9  # of the contour: less is the tip
 def in_dome(dome, region, points, tolerance, is_sheet=False):
     """IN, ON or OUT for points (n, 3), of a sheet none IN: (n,) int8."""
     way = points - dome.middle
-    height = way @ dome.outward
+    height = dot(way, dome.outward)
     part = np.clip(height / dome.height, 0.0, 1.0)
     shrunk = np.sqrt(1 - part**2)
-    places = way @ dome.axes.T / dome.scales
+    places = np.einsum("ni,ji->nj", way, dome.axes) / dome.scales
     images = dome.centre + (places - dome.centre) / np.maximum(shrunk, TINY)[:, None]
     depth, outward = region.exact(images, np.full(len(points), dome.parameter))
     across = outward / (dome.scales * np.maximum(shrunk, TINY)[:, None])

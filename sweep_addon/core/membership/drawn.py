@@ -30,10 +30,11 @@ class Drawn:
 
     def __init__(self, at, offsets, looked, gaps=()):
         self.at, self.ahead, self.ends = at, following(offsets), looked[[0, -1]]
-        self.is_open = len(gaps) > 0
+        self.is_open, self.is_round = len(gaps) > 0, False
         self.ahead[list(gaps)] = gaps  # an edge without length
         points = at(looked).reshape(-1, 2)
         self.box = np.stack((points.min(axis=0), points.max(axis=0)))
+        self.radius = float(np.hypot(*(self.box[1] - self.box[0]))) / 2
 
     def depth(self, points, parameters):
         """How far points (n, 2) are from the boundary, negative inside: (n,)."""

@@ -93,7 +93,7 @@ def inverse_sweep(shape, points):
     for start in range(0, max(len(points), 1), size):
         some = points[start : start + size]
         point, panel = np.repeat(np.arange(len(some)), len(smooth)), np.tile(smooth, len(some))
-        point, panel, x = plane.passing(some, point, panel)
+        point, panel, x = plane.planes.passing(some, point, panel)
         images, _ = plane.images(some[point], plane.at(panel, x))
         found.append((point + start, plane.panels.parameter(panel, x), images))
     point, parameter, images = (np.concatenate(part) for part in zip(*found, strict=True))

@@ -18,21 +18,29 @@ import numpy as np
 from ..vectors import dot, norms
 from .corners import with_corners
 from .domes import in_dome
-from .hash import Boxes, portions
+from .hash import Boxes, Capsules, portions
 from .labels import IN, ON, OUT, TOUCHED, joined
-from .panels import NODES, at_both, derivative, panels, powers, slopes
-from .roots import all_roots, simple
+from .panels import NODES, ORDER, at_both, derivative, panels, powers, slopes
+from .planes import NORMAL, SPACE, Planes, off
 
-NORMAL, X, Y = slice(0, 4), slice(4, 8), slice(8, 12)  # channels: unit vectors, and how far the middle is along them
-SCALES, SPACE = slice(12, 14), slice(14, 26)  # of the contour, and the ways of the corners of the box around it
+X, Y, SCALES = (
+    slice(4, 8),
+    slice(8, 12),
+    slice(12, 14),
+)  # channels: as `planes` has the normal, and the contour's scales
+MIDDLE = slice(26, 29)  # where the contour's origin is; those of space are the ways of the corners of the box around it
 LOOKED = 65  # places where it is looked at how large everything is
 CHUNK = 1 << 15  # pairs of points and panels, and points, that fit into a processor's cache
-MARGIN = 0.1  # of the steepest slope: what is left of it everywhere
+FINE = 6  # cells of the lattice in the side of a box
+PLACES = np.concatenate(([-1.0], NODES, [1.0]))
+STRETCHED = 1.02  # for what is stretched more between these
 SAME = 1e-9  # of the whole: parameters nearer than this are one
 NEAR = 30.0  # tolerances in the contour's plane: nearer to its boundary the distance from the surface is asked for
 ROUNDING = 1e-12  # of the size
 FOLD = 4.0  # tolerances: what is around a point is looked at not so far out
-FAR = 1e150
+UNCHANGED = 1e-10  # of its size: what stays so is the same
+SOME = 1 << 12  # pairs, for which it is worth knowing whether the sweep meets itself
+FAR, LEAST = 1e150, 1e-300
 
 
 class MovingPlane:
@@ -51,14 +59,14 @@ class MovingPlane:
     """
 
     def __init__(self, way):
-        self.way, self.region, self.hashes = way, way.region, {}
+        self.way, self.region, self.hashes, self.known = way, way.region, {}, {}
         self.is_sheet = way.region.is_open or not (way.closed or all(way.faces))
         looked = way.carried(np.linspace(way.breaks[0], way.breaks[-1], LOOKED))
         self.widest = float(np.abs(looked.scales).max())
         self.reach = float(norms(self.corners).max()) * self.widest
         extent = float(np.abs(looked.middle).max()) + self.reach
-        sizes = np.ones(26)
-        sizes[[3, 7, 11]], sizes[SCALES], sizes[SPACE] = extent, self.widest, extent
+        sizes = np.ones(MIDDLE.stop)
+        sizes[[3, 7, 11]], sizes[SCALES], sizes[SPACE], sizes[MIDDLE] = extent, self.widest, extent, extent
         pieces = panels(self.channels, way.breaks, way.parts, sizes)
         self.panels, self.cuts, self.legs = with_corners(pieces, way, self.reach)
         low, high = (side[:, SPACE].reshape(-1, 4, 3) for side in self.panels.bounds)
@@ -67,6 +75,8 @@ class MovingPlane:
         self.box = np.stack((self.low.min(axis=0), self.high.max(axis=0)))
         for low, high in ends:
             self.box = np.stack((np.minimum(self.box[0], low), np.maximum(self.box[1], high)))
+        rounding = ROUNDING * norms(self.box[1] - self.box[0])
+        self.planes = Planes(self.panels, self.low, self.high, self.outer, rounding)
 
     @cached_property
     def corners(self):
@@ -75,56 +85,40 @@ class MovingPlane:
         return np.array([(a, b), (c, b), (c, d), (a, d)])
 
     def channels(self, parameters):
-        """All channels at rising parameters: (n, 26)."""
+        """All channels at rising parameters: (n, 29)."""
         at = self.way.carried(np.append(self.way.breaks[0], parameters))
         middle, normal, x, y, scales = (part[1:] for part in at)
         axes = np.linalg.inv(np.stack((x, y, normal), axis=1))[..., :2]
         space = middle[:, None] + np.einsum("kc,nc,njc->nkj", self.corners, scales, axes)
         held = [part for axis in (normal, x, y) for part in (axis, dot(axis, middle)[:, None])]
-        return np.concatenate((*held, scales, space.reshape(len(parameters), -1)), axis=1)
-
-    @cached_property
-    def falling(self):
-        """Of each panel, whether the plane passes each place that the contour reaches in it once: (k,) bool."""
-        series = self.panels.series
-        space = np.einsum("kcj,ij->kic", series[:, SPACE], powers(NODES)).reshape(len(series), -1, 3)
-        rates = np.einsum("kcj,ij->kic", series[:, NORMAL], slopes(NODES))
-        slope = np.einsum("kpj,kij->kpi", space, rates[..., :3]) - rates[:, None, :, 3]
-        low, high = slope.min(axis=(1, 2)), slope.max(axis=(1, 2))
-        least, most = np.minimum(np.abs(low), np.abs(high)), np.maximum(np.abs(low), np.abs(high))
-        return (low * high > 0) & (least > MARGIN * most)
-
-    def passing(self, points, point, panel):
-        """The planes that pass through points wherever these are, among pairs: points, panels and places in these."""
-        places = points[point]
-        begin, end = (off(places, planes, panel) for planes in self.ends)
-        room = ROUNDING * norms(self.box[1] - self.box[0])
-        kept = (np.minimum(begin, end) <= room) & (np.maximum(begin, end) >= -room) | self.turning_back(places, panel)
-        point, panel = point[kept], panel[kept]
-        series = self.series(places[kept], panel)
-        monotone, x = simple(series)
-        chosen = np.flatnonzero(monotone & (np.abs(x) <= 1 + SAME))
-        which, at = all_roots(series[~monotone], 0.0)
-        others = np.flatnonzero(~monotone)[which]
-        index = np.concatenate((chosen, others))
-        return point[index], panel[index], np.concatenate((np.clip(x[chosen], -1.0, 1.0), at))
+        return np.concatenate((*held, scales, space.reshape(len(parameters), -1), middle), axis=1)
 
     def hash(self, tolerance):
-        """The lattice of the panels' boxes, with room for a tolerance around them."""
+        """The lattice of what the contour reaches in each panel, with room for a tolerance around it."""
         room = max(1e-6 * norms(self.box[1] - self.box[0]), tolerance)
-        if room not in self.hashes:
-            self.hashes = {room: Boxes.of(self.low - room, self.high + room)} | dict(list(self.hashes.items())[:1])
-        return self.hashes[room]
+        found = self.hashes.get(room)
+        if found is None:
+            start, chord, radius = self.capsules
+            found = Boxes.of(self.low - room, self.high + room, FINE, Capsules(start, chord, radius + room))
+            self.hashes = {room: found} | dict(list(self.hashes.items())[:1])
+        return found
 
     @cached_property
-    def ends(self):
-        """The planes at the start and at the end of each panel: two (k, 4)."""
-        return at_both(self.panels.series[:, NORMAL])
+    def capsules(self):
+        """Chords about which the contour stays in each panel: their starts, ways, and how far it gets from them.
 
-    @cached_property
-    def rates(self):
-        """How these change there: two (k, 4)."""
-        return at_both(derivative(self.panels.series[:, NORMAL]))
+        The box around the contour turns and stretches by what its sides do, and its middle leaves the chord by no more
+        than what is not straight in its series.
+        """
+        space = self.panels.series[:, SPACE].reshape(-1, 4, 3, ORDER)
+        middle, (width, height) = space.mean(axis=1), np.ptp(self.region.box, axis=0)
+        sides = np.einsum("kscj,ij->ksic", space[:, [1, 3]] - space[:, :1], powers(PLACES))
+        u, v = sides[:, 0] / max(width, LEAST), sides[:, 1] / max(height, LEAST)
+        uu, vv, uv = dot(u, u), dot(v, v), dot(u, v)
+        stretch = np.sqrt((uu + vv + np.sqrt((uu - vv) ** 2 + 4 * uv**2)) / 2).max(axis=1)
+        bent = 2 * norms(middle[..., 2:].swapaxes(1, 2)).sum(axis=1)
+        start, end = at_both(middle)
+        return start, end - start, STRETCHED * stretch * self.region.radius + bent
 
     def labels(self, points, tolerance):
         """IN, ON, OUT, or TOUCHED where a neighbourhood decides, for points (n, 3): (n,) int8."""
@@ -134,58 +128,55 @@ class MovingPlane:
         asked = np.flatnonzero(counts)
         for some in portions(counts[asked], CHUNK):
             which = asked[some]
-            labels[which] = self.of_planes(points[which], cell[which], tolerance)
+            labels[which] = self.of_planes(points[which], *boxes.pairs(cell[which]), tolerance)
         for dome in self.way.domes:
             labels = joined(labels, in_dome(dome, self.region, points, tolerance, self.is_sheet))
         return np.where(labels == TOUCHED, ON, labels) if self.is_sheet else labels
 
-    def of_planes(self, points, cell, tolerance):
+    def of_planes(self, points, point, panel, tolerance):
         """The labels of so few points that all pairs with panels fit into memory, domes left out."""
-        point, panel, x = self.hits(points, *self.hash(tolerance).pairs(cell), tolerance)
+        if len(point) > max(len(points), SOME) and self.is_clean(tolerance):
+            return self.first_found(points, point, panel, tolerance)
+        which, x = self.planes.hits(points[point], panel, tolerance)
+        point, panel = point[which], panel[which]
         inside, contact = self.sides(points[point], panel, x, tolerance)
         sure = np.zeros(len(points), dtype=bool)
         sure[point[inside]] = True
-        some = np.flatnonzero((contact > 0) & ~sure[point])
-        contacts = self.contacts(point[some], panel[some], x[some], contact[some], len(points))
-        return np.where(sure, IN, np.choose(np.minimum(contacts, 2), (OUT, ON, TOUCHED))).astype(np.int8)
+        labels = np.where(sure, IN, OUT).astype(np.int8)
+        some = np.flatnonzero(contact > 0)
+        some = some[~sure[point[some]]]
+        if len(some):
+            contacts = self.contacts(point[some], panel[some], x[some], contact[some], len(points))
+            labels[contacts > 0] = np.where(contacts > 1, TOUCHED, ON)[contacts > 0]
+        return labels
 
-    def hits(self, points, point, panel, tolerance):
-        """The planes that pass through points, among pairs with panels: points, panels and places in these, (h,)."""
-        places, falling = points[point], self.falling[panel]
-        begin, end = (off(places, planes, panel) for planes in self.ends)
-        kept = (np.minimum(begin, end) <= tolerance) & (np.maximum(begin, end) >= -tolerance)
-        some = np.flatnonzero(~(kept | falling))  # where the planes turn back they may come by twice
-        kept[some] = self.turning_back(places[some], panel[some])
-        point, panel, places, falling = point[kept], panel[kept], places[kept], falling[kept]
-        series, ends = self.series(places, panel), (np.abs(begin[kept]), np.abs(end[kept]))
-        monotone, x = simple(series)
-        end = (x > 0).astype(int)
-        within = (np.abs(x) <= 1 + SAME) | (np.choose(end, ends) <= tolerance) & self.outer[panel, end]
-        chosen = np.flatnonzero((monotone | falling) & within)
-        found = point[chosen], panel[chosen], np.clip(x[chosen], -1.0, 1.0)
-        others = np.flatnonzero(~(monotone | falling))
-        others = others[self.reached(places[others], panel[others], tolerance)]
-        if not len(others):
-            return found
-        which, at = all_roots(series[others], tolerance)
-        more = point[others[which]], panel[others[which]], at
-        return tuple(np.concatenate(pair) for pair in zip(found, more, strict=True))
+    def is_clean(self, tolerance):
+        """Whether it is known that no two images of a point are in the contour, or within a tolerance of it."""
+        if self.is_sheet or not self.way.clean:
+            return False
+        if tolerance not in self.known:
+            self.known = {tolerance: bool(self.way.clean(2 * tolerance))} | dict(list(self.known.items())[:1])
+        return self.known.get(tolerance, False)
 
-    def turning_back(self, places, panel):
-        """Whether the distance of places from the plane first grows and then falls, or the other way: (n,) bool."""
-        begin, end = (off(places, planes, panel) for planes in self.rates)
-        return begin * end <= 0
+    def first_found(self, points, point, panel, tolerance):
+        """The labels where no two images of a point are in the contour: the search ends with the first that is.
 
-    def reached(self, places, panel, tolerance):
-        """Whether places are in the boxes of panels: (n,) bool."""
-        return ((places >= self.low[panel] - tolerance) & (places <= self.high[panel] + tolerance)).all(axis=1)
-
-    def series(self, places, panel, channels=NORMAL):
-        """How far places (n, 3) are from the plane, or along another channel, as series in panels: (n, ORDER)."""
-        held = self.panels.series[panel, channels]
-        made = np.einsum("ni,nij->nj", places, held[:, :3])
-        made -= held[:, 3]
-        return made
+        Each point is asked of one panel, what is left of two more, of four more, and so on.
+        """
+        labels, most = np.full(len(points), OUT, dtype=np.int8), 1
+        while len(point):
+            first = np.flatnonzero(np.append(True, point[1:] != point[:-1]))
+            rank = np.arange(len(point)) - np.repeat(first, np.diff(np.append(first, len(point))))
+            now = np.flatnonzero(rank < most)
+            which, x = self.planes.hits(points[point[now]], panel[now], tolerance)
+            which = now[which]
+            inside, contact = self.sides(points[point[which]], panel[which], x, tolerance)
+            labels[point[which[contact > 0]]] = ON
+            labels[point[which[inside]]] = IN
+            later = np.flatnonzero(rank >= most)
+            later = later[labels[point[later]] == OUT]
+            point, panel, most = point[later], panel[later], 2 * most
+        return labels
 
     def images(self, places, at):
         """Places taken back into the contour's plane, and the same before the scale is: two (n, 2)."""
@@ -200,14 +191,14 @@ class MovingPlane:
 
     def sides(self, places, panel, x, tolerance):
         """Of hits, which are in the contour, (h,) bool, and which at a boundary: (h,) int8, 2 where others decide."""
-        at, parameter = self.at(panel, x), self.panels.parameter(panel, x)
-        images, raw = self.images(places, at)
-        scales = np.abs(at[:, SCALES])
-        depth = self.region.depth(images, parameter) * scales.min(axis=1)
-        near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
-        if len(near):
-            depth[near] = self.distance(places[near], panel[near], x[near], images[near], parameter[near])
-        depth[(norms(raw) <= tolerance) & (scales.max(axis=1) * self.reach <= tolerance * self.widest)] = 0.0  # a tip
+        parameter = self.panels.parameter(panel, x)
+        if self.round_ is None:
+            depth = self.depths(places, panel, x, parameter, tolerance)
+        else:
+            depth = norms(places - np.einsum("ncj,nj->nc", self.middles[panel], powers(x))) - self.round_
+            near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
+            if len(near):
+                depth[near] = self.depths(places[near], panel[near], x[near], parameter[near], tolerance)
         kept = self.cut_off(places, panel, parameter)
         present = (depth <= tolerance) & (kept <= tolerance)
         if self.is_sheet:
@@ -217,10 +208,38 @@ class MovingPlane:
         edge = self.at_ends(places, panel, x, tolerance)
         inside = (depth < -tolerance) & (kept < -tolerance) & ~edge
         contact = (present & ~inside).astype(np.int8)
-        folds = np.flatnonzero(~self.falling[panel] & present)
+        folds = np.flatnonzero(~self.planes.falling[panel] & present)
         folds = folds[self.folded(places[folds], panel[folds], x[folds], tolerance)]
         inside[folds], contact[folds] = False, 2
         return inside, contact
+
+    def depths(self, places, panel, x, parameter, tolerance):
+        """How far images are from the contour's boundary, and near it hits from the surface, negative inside: (n,)."""
+        at = self.at(panel, x)
+        images, raw = self.images(places, at)
+        scales = np.abs(at[:, SCALES])
+        depth = self.region.depth(images, parameter) * scales.min(axis=1)
+        near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
+        if len(near):
+            depth[near] = self.distance(places[near], panel[near], x[near], images[near], parameter[near])
+        depth[(norms(raw) <= tolerance) & (scales.max(axis=1) * self.reach <= tolerance * self.widest)] = 0.0  # a tip
+        return depth
+
+    @cached_property
+    def round_(self):
+        """The radius of a round contour that stays as it is, and leans nowhere; None of others."""
+        if not self.region.is_round:
+            return None
+        at = np.einsum("kcj,ij->kic", self.panels.series[:, : SCALES.stop], powers(PLACES))
+        scale, axes = at[0, 0, SCALES.start], np.stack([at[..., axis][..., :3] for axis in (NORMAL, X, Y)], axis=-2)
+        off = np.abs(np.einsum("kiac,kibc->kiab", axes, axes) - np.eye(3)).max()
+        off = max(off, np.abs(at[..., SCALES] / scale - 1).max()) if scale else np.inf
+        return abs(scale) * self.region.radius if off <= UNCHANGED else None
+
+    @cached_property
+    def middles(self):
+        """Where the contour's origin is in each panel: (k, 3, ORDER)."""
+        return np.ascontiguousarray(self.panels.series[:, MIDDLE])
 
     def distance(self, places, panel, x, images, parameter):
         """How far hits near the contour's boundary are from the surface, to first order: (n,).
@@ -242,7 +261,7 @@ class MovingPlane:
     def cut_off(self, places, panel, parameter):
         """How far places are beyond the planes that cut off their legs or the sweep, negative within: (n,)."""
         beyond = self.beyond_limits(places, parameter)
-        cuts = self.cuts[panel]
+        cuts = self.cuts[panel] if self.cuts.any() else self.cuts[:0]
         for plane in cuts.swapaxes(0, 1):
             here = np.flatnonzero(plane.any(axis=1))
             beyond[here] = np.maximum(beyond[here], dot(places[here], plane[here, :3]) - plane[here, 3])
@@ -253,7 +272,7 @@ class MovingPlane:
         beyond = np.full(len(places), -np.inf)
         for limit in self.way.limits:
             here = np.flatnonzero((parameter >= limit.low) & (parameter <= limit.high))
-            beyond[here] = np.maximum(beyond[here], (places[here] - limit.point) @ limit.normal)
+            beyond[here] = np.maximum(beyond[here], dot(places[here] - limit.point, limit.normal))
         return beyond
 
     @cached_property
@@ -268,14 +287,14 @@ class MovingPlane:
     def at_ends(self, places, panel, x, tolerance, faces=(True, True)):
         """Whether hits are on the plane in which an open sweep begins or ends, where it has a face: (n,) bool."""
         found = np.zeros(len(x), dtype=bool)
-        for planes, outer, face in zip(self.ends, self.outer.T, faces, strict=True):
+        for planes, outer, face in zip(self.planes.ends, self.outer.T, faces, strict=True):
             here = np.flatnonzero(outer[panel] & face)
             found[here] |= np.abs(off(places[here], planes, panel[here])) <= tolerance
         return found
 
     def folded(self, places, panel, x, tolerance):
         """Whether so near to places the planes turn back that none may pass through some neighbour: (n,) bool."""
-        series = self.series(places, panel)
+        series = self.planes.series(places, panel)
         rate = derivative(series)
         slope, bend = (np.einsum("nj,nj->n", part, powers(x)) for part in (rate, derivative(rate)))
         return slope**2 <= 2 * FOLD * tolerance * (np.abs(bend) + tolerance)
@@ -294,8 +313,3 @@ class MovingPlane:
         found = np.bincount(point, np.where(other[: len(point)], 1, 0), count).astype(int)
         np.maximum.at(found, point, contact)
         return found
-
-
-def off(places, planes, panel):
-    """How far places (n, 3) are from planes, one of (k, 4) each: (n,)."""
-    return dot(places, planes[panel, :3]) - planes[panel, 3]

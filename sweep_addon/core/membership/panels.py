@@ -126,4 +126,4 @@ def derivative(series):
 
 def at_both(series):
     """Series (..., ORDER) at the start and at the end of their panels: two (...)."""
-    return series @ (-1.0) ** np.arange(ORDER), series.sum(axis=-1)
+    return np.einsum("...j,j->...", series, (-1.0) ** np.arange(ORDER)), series.sum(axis=-1)

@@ -85,14 +85,20 @@ def of_corners(centres, radius, first, turn, points):
     return Loops.of(ends[kept], np.array([0, kept.sum()]), bulges[kept])
 
 
+def half_diagonal(box):
+    """How far a region gets from the middle of the box around it at most."""
+    return float(np.hypot(*(box[1] - box[0]))) / 2
+
+
 class Still:
     """A region that is the same all along the way."""
 
     is_still = True
 
     def __init__(self, region):
-        self.region, self.box = region, region.box
-        self.is_open = isinstance(region, Strands)
+        self.region, self.box, self.radius = region, region.box, half_diagonal(region.box)
+        self.is_open, self.is_round = isinstance(region, Strands), isinstance(region, Disc)
+        self.radius = region.radius if self.is_round else self.radius
 
     def depth(self, points, parameters):
         """How far points (n, 2) are from the boundary, negative inside, away from it at least: (n,)."""
@@ -110,12 +116,13 @@ class Still:
 class Level:
     """Where the formula of a `Region` is negative, as it changes on the way."""
 
-    is_open = is_still = False
+    is_open = is_still = is_round = False
 
     def __init__(self, region, total):
         self.region, self.total = region, total
         half = region.size / 2
         self.box = np.array([[-half, -half], [half, half]])
+        self.radius = half_diagonal(self.box)
         self.step = DIFFERENCE * region.size
         side, way = np.linspace(-half, half, SLOPED), np.linspace(0.0, 1.0, SLOPED)
         values = region.evaluate(*np.meshgrid(side, side, way, indexing="ij"))

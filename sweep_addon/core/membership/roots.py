@@ -42,18 +42,25 @@ def simple(series):
     x : (n,) float array
         Where they vanish, within the panel or, if they do not there, near its end beyond which they would.
     """
-    bends = np.abs(series[:, 2:]) @ STEEP[2:]
+    bends = np.einsum("nj,j->n", np.abs(series[:, 2:]), STEEP[2:])
     monotone = np.abs(series[:, 1]) > bends
-    terms = MONOMIALS @ series.T  # of powers of x, each in one run of memory
+    terms = np.einsum("ij,nj->in", MONOMIALS, series)  # of powers of x, each in one run of memory
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        x = np.clip(np.where(monotone, -series[:, 0] / series[:, 1], 0.0), -2.0, 2.0)
+        guess = np.clip(np.where(monotone, -series[:, 0] / series[:, 1], 0.0), -2.0, 2.0)
+        return monotone, solved(terms, guess)
+
+
+def solved(terms, x):
+    """Where polynomials (ORDER, n) vanish, by Newton's method from places x (n,), none farther out than 2."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for _ in range(STEPS):
             value, slope = horner(terms, x)
-            step = value / np.where(slope == 0, np.inf, slope)
-            x = np.clip(x - step, -2.0, 2.0)
-            if np.abs(step).max(initial=0.0) < ENOUGH:
+            slope[slope == 0] = np.inf
+            value /= slope
+            x = np.minimum(np.maximum(x - value, -2.0), 2.0)
+            if np.abs(value, out=value).max(initial=0.0) < ENOUGH:
                 break
-    return monotone, x
+    return x
 
 
 def horner(terms, x):

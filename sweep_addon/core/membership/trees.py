@@ -86,7 +86,7 @@ class PlacedMember:
 
     def back(self, points):
         """Points as the solid has them."""
-        return (points - self.origin) @ self.inverse.T
+        return np.einsum("ni,ji->nj", points - self.origin, self.inverse)
 
     def labels(self, points, tolerance):
         """IN, ON, OUT or TOUCHED for points (n, 3): (n,) int8."""

@@ -59,5 +59,6 @@ class Way(NamedTuple):
     limits: tuple = ()
     beyond: tuple = (0.0, 0.0)  # how far it goes on straight, before its start and after its end
     domes: tuple = ()
+    clean: object = None  # from a distance to whether it is known that nothing comes so near to itself elsewhere
     faces: tuple = (True, True)  # whether one closes its start and its end
     parameter: object = None  # from the motion's parameter to that of the trajectory, where it is another

@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The ways of the planar shapes: how each carries its contour."""
 
+from dataclasses import replace
+from functools import partial
 from math import tau
 
 import numpy as np
 
 from ..bending import Bending
-from ..contours import Fit
+from ..contours import Circle, Fit
 from ..contours.region import Region
 from ..domes import domes_of
 from ..ends import Flat, Open, Round
@@ -16,6 +18,7 @@ from ..generalized_cylinder import section_of
 from ..limits import Plane
 from ..sampling import stations
 from ..spans import spans
+from ..trajectories import Polyline
 from ..trajectories.arc_length import arc_length
 from ..translational_sweep import Reference
 from ..vectors import norms, unit
@@ -28,6 +31,7 @@ PARTS = 32  # panels at least, of a whole way
 CORNER = 1e-6  # radians: a turn of less is none
 LOOKED = 257  # places where it is looked at how far a changing contour reaches
 CUT = 1e-3  # of the length between cuts: how closely they are followed
+THICKER = 1.001  # times the radius: what is clean but for rounding is not known to be
 EVERY = 1.1  # times as far a plane cuts as its cuts of the contour's polygon reach
 
 
@@ -61,7 +65,16 @@ def of_cylinder(shape):
         inside = Drawn(lambda s: change.at(s / measure.total), section.offsets, looked, section.gaps)
         breaks = np.append(breaks, change.places * measure.total)
     way = Way(carried, apart(breaks, measure.total), closed, inside, PARTS, corners, parameter=measure.parameter)
-    return way._replace(domes=tuple(domes(shape, ends, way)), faces=faces_of(ends))
+    clean = partial(is_clean_tube, shape) if along.is_constant and not (change or corners) else None
+    return way._replace(domes=tuple(domes(shape, ends, way)), faces=faces_of(ends), clean=clean)
+
+
+def is_clean_tube(shape, distance):
+    """Whether a round tube is known to meet itself nowhere, were it so much thicker: by the reach of its trajectory."""
+    if not isinstance(shape.contour, Circle) or isinstance(shape.trajectory, Polyline):
+        return False
+    thicker = Circle(THICKER * shape.contour.radius + distance, shape.contour.points)
+    return not replace(shape, contour=thicker, make_solid=False).self_intersections()
 
 
 def domes(shape, ends, way):
@@ -98,7 +111,15 @@ def of_translation(shape):
         x, y, up = (np.tile(axis, (len(z), 1)) for axis in np.eye(3))
         return Carried(z[:, None] * shape.way + aside, up, x, y, np.ones((len(z), 2)))
 
-    return Way(carried, np.array(breaks), False, inside, 1, faces=faces_of((shape.start, shape.end)))
+    return Way(
+        carried,
+        np.array(breaks),
+        False,
+        inside,
+        1,
+        faces=faces_of((shape.start, shape.end)),
+        clean=lambda distance: True,
+    )  # each height comes once
 
 
 def reference_of(shape):
@@ -123,8 +144,16 @@ def of_rotation(shape):
         ahead = np.cross(along, radial) * sense
         return Carried(middle, ahead, y * radial + x * along, y * along - x * radial, np.ones((len(angle), 2)))
 
+    inside = Still(region(shape.contour))
+    corners = np.stack(np.meshgrid(*inside.box.T, indexing="ij"), axis=-1).reshape(-1, 2)
+    across = (corners - shape.axis_point) @ (y, -x)  # how far the box around the contour is from the axis
+
+    def clean(distance):
+        one_side = np.abs(across).min() > distance and np.ptp(np.sign(across)) == 0
+        return one_side and not shape.pitch and abs(shape.turn) <= tau
+
     parts = max(int(np.ceil(PARTS * abs(shape.turn) / tau)), 1)
-    return Way(carried, np.array([0.0, abs(shape.turn)]), shape.closed, Still(region(shape.contour)), parts,
+    return Way(carried, np.array([0.0, abs(shape.turn)]), shape.closed, inside, parts, clean=clean,
                parameter=lambda angle: sense * angle, faces=faces_of((shape.start, shape.end)))  # fmt: skip
 
 
