@@ -88,7 +88,6 @@ def test_lines_of_cpfg(line, book):
         ("#dialect cpfg\naxiom: A\nA --> !F", 3, "one number in brackets behind !"),
         ("#dialect cpfg\naxiom: A\nA --> F@M(1,2,3)", 3, "a symbol that has a meaning here"),
         ("#dialect cpfg\naxiom: A\nhomomorphism\nseed: 3", 4, "one seed"),
-        ("#dialect cpfg\naxiom: A\nA(x) : {y = 2;} y > 1 --> B", 3, "a condition without statements"),
         ("#dialect cpfg\naxiom: A\n#define a b\n#define b a\nA --> F(a)", 5, "constants that do not need each other"),
         ("#dialect cpfg\naxiom: A\n#define a b b\n#define b a a\nA --> F(a)", 5, "at most 100000 characters"),
         ("#dialect cpfg\naxiom: A\nwhat is this", 3, "a keyword, or a production"),

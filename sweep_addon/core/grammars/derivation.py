@@ -17,6 +17,7 @@ from .forest import Forest
 from .growth import bounds, foretold
 from .pool import Pool
 from .reading import DEPTH
+from .statements import executed
 from .stepping import State, first, step
 from .word import Word
 
@@ -73,7 +74,7 @@ def whole(value, most, key):
 
 def strategy(tables):
     """Which of the ways suits a system."""
-    if tables.queries:
+    if tables.queries or tables.variables:
         return "in order"
     if doubling.suits(tables):
         return "doubling"
@@ -101,14 +102,21 @@ def in_order(tables, generations, seed, meter, environment=None):
 
 def states(tables, generations, seed, meter, environment=None):
     """The words of all generations, from that of the axiom on."""
-    state = first(tables, root(seed))
+    variables = dict.fromkeys(tables.variables, 0.0)
+    variables = executed(tables.system, "start", variables, 0, 0, seed)
+    state = first(tables, root(seed), variables)
     meter.room(len(state), 0)
-    state = finished(state, tables, 0, seed, meter, environment)
+    state = finished(decomposed(state, tables, 0, meter), tables, 0, seed, meter, environment)
     yield state
     for generation in range(1, generations + 1):
+        moment = generation * LEVELS
+        state.variables = executed(tables.system, "start_each", state.variables, generation, moment, seed)
         rules = tables.of_step(generation)
         room = partial(meter.room, generation=generation)
-        state, _ = step(state, tables, rules, generation * LEVELS, generation, room)
+        state, _ = step(state, tables, rules, moment, generation, room)
+        state = decomposed(state, tables, generation, meter)
+        for block in ("end_each", "end")[: 2 if generation == generations else 1]:
+            state.variables = executed(tables.system, block, state.variables, generation, moment, seed)
         state = finished(state, tables, generation, seed, meter, environment)
         meter.tick(generation)
         yield state
@@ -129,8 +137,7 @@ def sizes(system, generations, seed, budget, progress):
 
 
 def finished(state, tables, generation, seed, meter, environment):
-    """A word that productions have made, with what follows in each step: its decomposition, and answers to queries."""
-    state = decomposed(state, tables, generation, meter)
+    """A word with the answers to its queries."""
     if not tables.queries:
         return state
     from .queries import answered  # which interprets words, by what is below
@@ -156,7 +163,8 @@ def decomposed(state, tables, generation, meter):
 
 def repeated(state, tables, rules, depth, generation, moment, meter, what):
     """The word after as many levels as productions apply to what the last one made, or as the depth allows."""
-    state = State(state.symbols, state.columns, state.keys, state.births, np.ones(len(state), dtype=bool))
+    fresh = np.ones(len(state), dtype=bool)
+    state = State(state.symbols, state.columns, state.keys, state.births, fresh, state.variables)
     for level in range(DEPTH + 1 if depth is None else depth):
         moments = generation * LEVELS + moment + level
         room = partial(meter.room, generation=generation)
@@ -166,4 +174,4 @@ def repeated(state, tables, rules, depth, generation, moment, meter, what):
         ends = depth is not None or level < DEPTH
         require(ends, f"must end within {DEPTH} levels or say its maximum depth", level + 1, what)
         meter.tick(generation)
-    return State(state.symbols, state.columns, state.keys, state.births)
+    return State(state.symbols, state.columns, state.keys, state.births, variables=state.variables)

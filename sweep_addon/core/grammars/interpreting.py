@@ -14,5 +14,5 @@ def interpreted(word, budget, progress):
     if not tables.homomorphism:
         return word
     meter = Meter(budget or Budget(), word.generations, tables.columns, progress)
-    state = State(word.symbols, word.columns, word.state.keys, word.births)
+    state = State(word.symbols, word.columns, word.state.keys, word.births, variables=word.state.variables)
     return Word(tables, homomorphic(state, tables, word.generations, meter), word.generations, word.seed)

@@ -9,6 +9,7 @@ from .constants import Constant
 from .modules import Module
 from .productions import Production
 from .reading import read
+from .statements import Statement
 from .writing import written
 
 
@@ -31,6 +32,8 @@ class LSystem:
         What modules are made of, after each step, and what a turtle is told in their place.
     decomposition_depth, homomorphism_depth : int or None
         After how many levels these stop.
+    start, start_each, end_each, end : tuple of Statement
+        What gives variables their values: before a derivation, before and after each of its steps, and behind it.
     constants : tuple of Constant
     names : tuple of str
         Names of modules that have more than one letter.
@@ -65,6 +68,10 @@ class LSystem:
     decomposition_depth: int | None = None
     homomorphism: tuple[Production, ...] = ()
     homomorphism_depth: int | None = None
+    start: tuple[Statement, ...] = ()
+    start_each: tuple[Statement, ...] = ()
+    end_each: tuple[Statement, ...] = ()
+    end: tuple[Statement, ...] = ()
     constants: tuple[Constant, ...] = ()
     names: tuple[str, ...] = ()
     ignore: tuple[str, ...] | None = None

@@ -34,6 +34,8 @@ class Site:
         for name in expression.names:
             if name.startswith(DRAW):
                 names[name] = self.even(1 + int(name.removeprefix(DRAW)))
+            elif name not in sources:
+                names[name] = self.state.variables[name]
             else:
                 node, column = sources[name]
                 names[name] = self.state.columns[column][self.rows[node]]

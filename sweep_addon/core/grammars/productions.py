@@ -58,7 +58,7 @@ def told(modules):
     return "".join(map(str, modules))
 
 
-def production(passage: Passage, alphabet: Alphabet, constants):
+def production(passage: Passage, alphabet: Alphabet, constants, variables=()):
     """The production in a passage.
 
     Parameters
@@ -66,6 +66,8 @@ def production(passage: Passage, alphabet: Alphabet, constants):
     passage : Passage
     alphabet : Alphabet
     constants : dict of str to float
+    variables : tuple of str
+        Names that statements give values to.
 
     Returns
     -------
@@ -81,7 +83,7 @@ def production(passage: Passage, alphabet: Alphabet, constants):
     >>> print(production(Passage("BC<S>G[H]M:1<2-(0.5)->T(1 + 1)", 1), Alphabet(), {}))
     BC < S > G[H]M : 1<2 -(0.5)-> T(1+1)
     """
-    rule, names = patterned(passage, alphabet, constants)
+    rule, names = patterned(passage, alphabet, constants, variables)
     successor = passage.part(arrow(passage) + len(ARROW))
     if not successor.text:
         successor.refuse("a word, or * for the empty one")
@@ -91,7 +93,7 @@ def production(passage: Passage, alphabet: Alphabet, constants):
     return replace(rule, successor=alphabet.word(successor, names, words(constants), drawn)[0])
 
 
-def patterned(passage, alphabet, constants):
+def patterned(passage, alphabet, constants, variables=()):
     """A production without its successor, and the names of the parameters that this may use."""
     at = arrow(passage)
     chance, stop = probability(passage, at - longer(passage.text[:at]), constants)
@@ -105,6 +107,7 @@ def patterned(passage, alphabet, constants):
     right = laterals(right, alphabet)
     strict = strict_predecessor(predecessor, alphabet)
     names = names_of([*left, strict, *right], head)
+    names += tuple(name for name in variables if name not in names)
     if condition is not None and condition.text == ALWAYS:
         condition = None
     if condition is not None:

@@ -83,7 +83,8 @@ def answered(state, tables, generation, seed, meter, environment=None):
     """
     if not np.isin(state.symbols, list(tables.queries)).any():
         return state
-    numbered = State(state.symbols, [*state.columns, np.arange(1.0, len(state) + 1)], state.keys, state.births)
+    columns = [*state.columns, np.arange(1.0, len(state) + 1)]
+    numbered = State(state.symbols, columns, state.keys, state.births, variables=state.variables)
     told = homomorphic(numbered, tables, generation, meter)
     walk = Walk(Word(tables, told, generation, seed), stops=tuple(tables.queries))
     figure = walk.figure()
@@ -108,7 +109,7 @@ def answered(state, tables, generation, seed, meter, environment=None):
         for column in range(min(found.shape[1], counts.max())):
             has = counts[which] > column
             columns[column][module[which[has]]] = found[has, column]
-    return State(state.symbols, columns, state.keys, state.births)
+    return State(state.symbols, columns, state.keys, state.births, variables=state.variables)
 
 
 def asked(environment, those):

@@ -16,13 +16,15 @@ from .modules import Alphabet
 from .passages import ENDED, Passage, PassageError, shown
 from .printed import legend, typed
 from .problems import GrammarError, Problem
-from .productions import production
+from .productions import ARROW, production
+from .statements import MOST_VARIABLES, assigned, statements
 from .vocabulary import value, words
 
 LONGEST = 1_000_000  # characters of a text
 MOST_LINES = 20_000
 MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
+BLOCK = re.compile(r"\s*((?:start|end)(?: each)?)\s*:", re.IGNORECASE)
 SECTION = re.compile(
     r"\s*(axiom|ω|productions|group\s+\d{1,6}|decomposition|homomorphism|maximum\s+depth)\s*:", re.IGNORECASE
 )
@@ -71,6 +73,7 @@ class Reader:
         unknown = [name for name in self.given if name not in self.constants]
         require(not unknown or problems, f"must be one of {', '.join(self.constants) or 'none'}", unknown, "constants")
         self.vocabulary = words(self.constants, random=False)
+        self.variables = self.assigned()
         for word, passage, _ in self.lines:
             if word:
                 self.attempt(getattr(self, f"tell_{word}", self.number), passage, word)
@@ -85,6 +88,16 @@ class Reader:
         if self.problems:
             raise GrammarError(self.problems)
         return self.told | self.sections()
+
+    def assigned(self):
+        """The variables that statements somewhere give values to."""
+        found = {}
+        for word, passage, _ in self.lines:
+            block = not word and blocked(passage)
+            if block:
+                found |= dict.fromkeys(name for name, _ in self.attempt(assigned, passage.part(block.end())) or ())
+        require(len(found) <= MOST_VARIABLES, f"must have at most {MOST_VARIABLES} variables", len(found))
+        return tuple(found)
 
     def told_of(self, word):
         """The passages and comments of a directive."""
@@ -132,13 +145,19 @@ class Reader:
 
     def line(self, passage):
         """A line that is no directive: a section, the axiom or a production."""
+        block = blocked(passage)
+        if block:
+            word = block.group(1).lower().replace(" ", "_")
+            made = statements(passage.part(block.end()), self.variables, self.constants)
+            self.told[word] = self.told.get(word, ()) + made
+            return None
         match, printed = SECTION.match(passage.text), legend(passage.text)
         if match:
             passage = self.sectioned(match, passage)
         if printed:
             return self.legend(passage, *printed)
         if passage and passage.text:
-            self.rules.append((self.section, production(passage, self.alphabet, self.constants)))
+            self.rules.append((self.section, production(passage, self.alphabet, self.constants, self.variables)))
 
     def legend(self, passage, generations, angle):
         """The line under a figure of a book."""
@@ -157,7 +176,7 @@ class Reader:
             if not rest.text:
                 rest.refuse("the modules of the axiom")
             self.told["axiom"] = ()  # there is one, right or wrong
-            self.told["axiom"], _ = self.alphabet.word(rest, (), words(self.constants))
+            self.told["axiom"], _ = self.alphabet.word(rest, self.variables, words(self.constants))
             return None
         if kind == "maximum":
             if self.section[0] not in ("decomposition", "homomorphism"):
@@ -175,6 +194,12 @@ class Reader:
         groups = sorted((number, tuple(rules)) for (kind, number), rules in kinds.items() if kind == "group")
         named = {kind: tuple(kinds.get((kind, 0), ())) for kind in ("productions", "decomposition", "homomorphism")}
         return named | {"groups": tuple(groups)}
+
+
+def blocked(passage):
+    """Where a line of statements says which block they are of; None for other lines, and for what names begin with."""
+    match = BLOCK.match(passage.text)
+    return match if match and ARROW not in passage.text else None
 
 
 def numbers(given):

@@ -28,10 +28,13 @@ class State:
         The step that made each module, or what finds that out.
     fresh : (n,) bool array or None
         Which modules may be replaced at all; None for all of them.
+    variables : dict of str to float
+        What statements have given values to.
     """
 
-    def __init__(self, symbols, columns, keys=None, births=None, fresh=None):
+    def __init__(self, symbols, columns, keys=None, births=None, fresh=None, variables=None):
         self.symbols, self.columns, self.keys, self.births, self.fresh = symbols, columns, keys, births, fresh
+        self.variables = variables or {}
 
     @property
     def ended(self):
@@ -42,19 +45,18 @@ class State:
         return len(self.symbols)
 
 
-def first(tables, key):
+def first(tables, key, variables=None):
     """The axiom."""
     template = tables.axiom
     columns = [np.zeros(len(template.symbols)) for _ in range(tables.columns)]
     keys = mixed(key + template.salts) if tables.random else None
-    state = State(
-        np.array(template.symbols, dtype=tables.dtype), columns, keys, np.zeros(len(template.symbols), np.int32)
-    )
+    births = np.zeros(len(template.symbols), np.int32)
+    state = State(np.array(template.symbols, dtype=tables.dtype), columns, keys, births, variables=variables)
     for place, column, value in template.fixed:
         columns[column][place] = value
-    for place, column, formula in template.formulas:  # of random numbers alone
-        drawn = {name: even(key, 0, 1 + int(name.removeprefix(DRAW))) for name in formula.names}
-        columns[column][place] = formula.run(drawn)[0]
+    for place, column, formula in template.formulas:  # of random numbers and variables alone
+        drawn = {n: even(key, 0, 1 + int(n.removeprefix(DRAW)))[0] for n in formula.names if n.startswith(DRAW)}
+        columns[column][place] = formula.run(state.variables | drawn)
     return state
 
 
@@ -143,7 +145,7 @@ def written(state, replaced, gone, starts, total, moment, birth):
             parents = state.keys[site.rows[0]]
             for place in range(len(template.symbols)):
                 keys[at + place] = template.child_keys(parents, place)
-    return State(symbols, columns, keys, births, fresh)
+    return State(symbols, columns, keys, births, fresh, state.variables)
 
 
 def told(template, place, column):

@@ -10,6 +10,7 @@ from ..expressions import DRAW
 from .draws import mixed, salts
 from .grouping import ROUNDING, grouped
 from .modules import CLOSE, ENVIRONMENT, OPEN, QUERIES
+from .statements import names
 
 CUT = "%"
 HIDDEN, SEEN, OPENS, CLOSES, ASKS = range(5)  # what a module is to a context; ASKS is hidden, but has a context itself
@@ -35,6 +36,8 @@ class Tables:
         The most parameters of a module.
     cut : int or None
         The module that cuts.
+    variables : tuple of str
+        Names that statements give values to.
     queries : dict of int to (str, int)
         Modules that are filled in after each step, by their numbers: name and number of parameters.
     random : bool
@@ -63,6 +66,7 @@ class Tables:
         self.dtype = np.uint8 if len(self.symbols) < 255 else np.uint16
         self.kind = self.kinds(sections)
         self.cut = self.numbers.get((CUT, 0))
+        self.variables = names(system)
         asking = (*QUERIES, ENVIRONMENT)
         self.queries = {number: told for number, told in enumerate(self.symbols) if told[0] in asking and told[1]}
         every = (self.common, self.decomposition, self.homomorphism, *self.groups.values())

@@ -4,6 +4,7 @@
 
 from ..parameters import require
 from .productions import told
+from .statements import BLOCKS
 
 
 def written(system):
@@ -21,7 +22,14 @@ def written(system):
     for rule in (rule for rules in every for rule in rules):
         functions = [p for module in rule.successor for p in module.parameters if not hasattr(p, "evaluate")]
         require(not functions, "has no text where a successor is a Python function", rule.predecessor, "productions")
-    return "\n".join([*settings(system), f"axiom: {told(system.axiom)}", *sections(system), ""])
+    return "\n".join([*settings(system), f"axiom: {told(system.axiom)}", *blocks(system), *sections(system), ""])
+
+
+def blocks(system):
+    """The statements, a line for each block."""
+    for block in BLOCKS:
+        if getattr(system, block):
+            yield f"{block.replace('_', ' ')}: {'; '.join(map(str, getattr(system, block)))}"
 
 
 def settings(system):

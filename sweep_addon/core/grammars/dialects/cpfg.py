@@ -13,6 +13,8 @@ import re
 from ..modules import ENVIRONMENT, QUERIES
 from ..passages import Passage, PassageError, shown
 from ..productions import around
+from ..statements import assigned
+from .local import Locals, parted
 from .pasting import DEFINED, Pasting, joined, uncommented
 from .words import last_outside, modules, outside, unknown
 
@@ -48,6 +50,7 @@ RENAMED = {";": "'", ",": "'", "!": "!", "#": "!"}
 KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "@Gt", "?P", "?H", "?L", "?U", "?E")
 ORGANS = {"@O": "sphere", "@o": "circle", "@c": "circle"}  # of the diameter that they say
 MOVES = "g"  # without a line or a vertex
+BLOCK = re.compile(r"\s*(start|end)\s*(each)?\s*:(.*)", re.IGNORECASE | re.DOTALL)
 GRANTED = "maximum depth: 1"  # of a homomorphism and a decomposition, where the text says nothing
 
 
@@ -69,7 +72,7 @@ class Reader:
 
     def __init__(self):
         self.pasting, self.depths, self.organs, self.section = Pasting(), {}, {}, ""
-        self.queries = False
+        self.queries, self.variables = False, {}
 
     def line(self, line, source):
         """A line in the notation of the book."""
@@ -84,10 +87,19 @@ class Reader:
         line = self.pasting.pasted(line, source)
         if SHOWN.fullmatch(line) or NOTHING.fullmatch(line):
             return ""
+        block = BLOCK.fullmatch(line)
+        if block and "-->" not in line:
+            return self.block(block, source)
         keyword = PATTERN.fullmatch(line)
         if keyword and "-->" not in line:
             return self.keyword(" ".join(keyword[1].lower().split()), Passage(keyword[2], source.number), source)
         return self.production(line, source) if line.strip() else ""
+
+    def block(self, match, source):
+        """A line of statements, which give variables of the whole derivation their values."""
+        told = Passage(match[3], source.number)
+        self.variables |= dict.fromkeys(name for name, _ in assigned(told))
+        return f"{match[1].lower()}{' each' if match[2] else ''}: {told.text.strip('{}')}"
 
     def keyword(self, word, rest, source):
         word = {"derivationlength": "derivation length", "maximumdepth": "maximum depth"}.get(word, word)
@@ -115,17 +127,20 @@ class Reader:
         head, arrow, successor = line.partition("-->")
         if not arrow:
             source.refuse("a keyword, or a production with '-->'", 0, shown(source.text))
-        if "{" in head:
-            source.refuse("a condition without statements", 0, "'{'")
         colon = outside(head, ":")
         contexts, condition = (head[:colon], head[colon + 1 :].strip()) if colon >= 0 else (head, "")
+        before, condition, behind = parted(condition, source)
+        own = Locals(tuple(self.variables), source)
+        own.assign(before)
+        condition = own.told(condition)
+        own.assign(behind)
         condition = f" : {condition}" if condition not in ("", "*") else ""
         contexts = re.sub(r"^\s*\*\s*<|>\s*\*\s*$", "", contexts).replace("=]", "]")
         left, strict, right = (part and self.heads(part) for part in around(Passage(contexts, source.number)))
         colon = last_outside(successor, ":")
         body, chance = (successor[:colon], successor[colon + 1 :].strip()) if colon >= 0 else (successor, "")
-        arrow = f"-({chance})->" if chance else "->"
-        body = body.strip() if body.strip() == "*" else self.word(Passage(body, source.number))
+        arrow = f"-({own.told(chance)})->" if chance else "->"
+        body = body.strip() if body.strip() == "*" else self.word(Passage(body, source.number), own)
         left, right = f"{left} < " if left else "", f" > {right}" if right else ""
         return f"{left}{strict}{right}{condition} {arrow} {body}"
 
@@ -138,9 +153,12 @@ class Reader:
             found.append(said.told(RENAMED.get(said.name, said.name)))
         return " ".join(found)
 
-    def word(self, passage):
+    def word(self, passage, own=None):
         """A word in the symbols of the book."""
-        return " ".join(self.module(passage, said) for said in modules(passage, NAMES))
+        found = modules(passage, NAMES)
+        if own:
+            found = [said._replace(parameters=tuple(map(own.told, said.parameters))) for said in found]
+        return " ".join(self.module(passage, said) for said in found)
 
     def module(self, passage, said):
         name = said.name

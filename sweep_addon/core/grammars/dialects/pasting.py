@@ -9,6 +9,7 @@ from ..passages import Passage, shown
 COMMENT = re.compile(r"/[*/]")
 DEFINED = re.compile(r"\s*#\s*define\s+([A-Za-z_]\w*)(\(([^()]*)\))?\s*(.*)", re.DOTALL)
 NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+STATED = re.compile(r"\s*(?:start|end)\s*(?:each)?\s*:|(?!\s*axiom)[^{]*:\s*\{(?!.*-->)", re.IGNORECASE)
 MOST_PASTED, MOST_TOLD, LONGEST = 20, 2000, 100_000  # rounds, characters of a constant, and of a line with constants
 
 
@@ -24,16 +25,18 @@ def uncommented(text):
 
 
 def joined(lines):
-    """Lines that go on, behind a backslash or with a tab, at the place of the first; the others become empty.
+    """Lines that go on behind a backslash, with a tab or in braces stand where the first one is; others become empty.
 
     >>> joined(["A", "\\t--> B \\\\", "C", "D"])
     ['A --> B C', '', '', 'D']
     """
-    parts, first, goes_on = [], 0, False
+    parts, first, goes_on, braces = [], 0, False, 0
     for number, line in enumerate(lines):
         begun = parts and parts[first][0].strip()
-        more = goes_on or line.startswith("\t") and begun and not begun.startswith("#")
+        more = goes_on or braces > 0 or line.startswith("\t") and begun and not begun.startswith("#")
         first = first if more else number
+        stated = braces > 0 or STATED.match(line)
+        braces = braces * more + line.count("{") - line.count("}") if stated else 0
         parts.append([])
         parts[first].append(line.removesuffix("\\"))
         goes_on = line.endswith("\\")
