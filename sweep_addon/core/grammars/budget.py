@@ -8,6 +8,7 @@ from ..frozen import frozen
 from ..parameters import ShapeError
 
 MOST_DIGITS = 30  # of a size in a refusal
+OFTEN = 0.1  # seconds between two looks at whether somebody wants to stop
 
 
 @frozen
@@ -41,14 +42,10 @@ class Meter:
     """Watches a derivation: refuses what is over the budget, and tells how far it is."""
 
     def __init__(self, budget, generations, columns, progress):
-        self.budget, self.generations, self.width = budget, generations, 1 + 8 * columns
+        self.budget, self.generations, self.columns, self.width = budget, generations, columns, 1 + 8 * columns
         self.progress = progress or (lambda part: None)
-        self.started()
-
-    def started(self):
-        """The same meter, whose time begins now."""
-        self.end = monotonic() + self.budget.seconds
-        return self
+        self.done, self.told = 0, monotonic()
+        self.end = self.told + budget.seconds
 
     def room(self, total, generation=None, least=False):
         """Refuse a word of so many modules, or of at least so many, that is too large."""
@@ -63,15 +60,32 @@ class Meter:
                 f"must take at most {self.budget.bytes:,} bytes, but {what} {sized(total * self.width)}", "generations"
             )
 
+    def nodes(self, count, width, generation):
+        """Refuse a derivation that keeps so many modules of so many bytes, also of those that are there no more."""
+        if count * width > self.budget.bytes:
+            most, used = f"{self.budget.bytes:,} bytes", f"{sized(count * width)} to be derived"
+            raise ShapeError(f"must take at most {most}, but generation {generation} needs {used}", "generations")
+
     def tick(self, generation):
         """Tell that a generation is done, and refuse to go on where time is up."""
-        if monotonic() > self.end:
-            raise ShapeError(
-                f"must take at most {self.budget.seconds:g} seconds, but generation {generation} of {self.generations} "
-                "took longer",
-                "generations",
-            )
+        self.done = generation
+        self.told = self.timely(generation)
         self.progress(generation / max(self.generations, 1))
+
+    def check(self):
+        """Refuse to go on within a generation where time is up; now and then let who watches stop it."""
+        now = self.timely(self.done + 1)
+        if now > self.told + OFTEN:
+            self.told = now
+            self.progress(self.done / max(self.generations, 1))
+
+    def timely(self, generation):
+        """What time it is, in seconds, unless it is up."""
+        now = monotonic()
+        if now > self.end:
+            at = f"generation {min(generation, self.generations)} of {self.generations} took longer"
+            raise ShapeError(f"must take at most {self.budget.seconds:g} seconds, but {at}", "generations")
+        return now
 
 
 def sized(number):

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..expressions import DRAW
 from .draws import even
+from .evaluating import values
 
 
 class Chunk:
@@ -30,13 +31,14 @@ class Chunk:
 
     def values(self, expression, sources, moment):
         """The value of a formula of their parameters: a number where it is the same for all."""
-        names = {}
-        for name in expression.names:
+
+        def find(name, part):
             if name.startswith(DRAW):
-                names[name] = even(self.keys, moment, 1 + int(name.removeprefix(DRAW)))
-            else:
-                names[name] = self.columns[sources[name][1]]
-        return expression.run(names)
+                return even(self.keys[part], moment, 1 + int(name.removeprefix(DRAW)))
+            column = self.columns[sources[name][1]]
+            return column[part] if np.ndim(column) else column
+
+        return values(expression, find, self.size)
 
     def part(self, chosen):
         """Those at some places."""

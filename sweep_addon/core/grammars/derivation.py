@@ -3,7 +3,6 @@
 """Derivations: how a system gets from its axiom to a word, by the fastest way that its productions allow."""
 
 from collections import deque
-from functools import partial
 from operator import index
 
 import numpy as np
@@ -24,6 +23,7 @@ from .word import Word
 DECOMPOSED = 1  # moments of the levels of a decomposition begin here; that of a production is 0
 INTERPRETED = 256  # those of a homomorphism
 LEVELS = 512  # moments in each step
+LONG = 2000  # modules of a successor, each of which a forest or a pool would look at by itself
 WAYS = {
     "doubling": "words are copied together from the words of their successors",
     "forest": "modules grow as a forest that is laid out once",
@@ -47,19 +47,23 @@ def derived(system, generations, seed, budget, progress, environment=None):
         meter.room(limits[0], least=True)
     way = strategy(tables)
     if way == "doubling" and sizes:
-        symbols = doubling.word(tables, generations)
+        symbols = doubling.word(tables, generations, meter.check)
         meter.tick(generations)
-        state = State(symbols, [], None, lambda: doubling.births(tables, generations))
+        state = State(symbols, [], None, lambda: doubling.births(tables, generations, again(meter).check))
     elif way in ("forest", "doubling"):
         (forest,) = deque(grown(Forest, tables, generations, seed, meter), maxlen=1)
         state = layout.word(forest, lambda: layout.births(forest))
     elif way == "pool":
         (linked,) = deque(grown(Pool, tables, generations, seed, meter), maxlen=1)
-        again = Meter(meter.budget, generations, tables.columns, None)
-        state = layout.word(linked, lambda: in_order(tables, generations, seed, again.started()).births)
+        state = layout.word(linked, lambda: in_order(tables, generations, seed, again(meter)).births)
     else:
         state = in_order(tables, generations, seed, meter, environment)
     return Word(tables, state, generations, seed)
+
+
+def again(meter):
+    """A meter of the same budget, for what is found when somebody asks for it."""
+    return Meter(meter.budget, meter.generations, meter.columns, None)
 
 
 def whole(value, most, key):
@@ -78,6 +82,8 @@ def strategy(tables):
         return "in order"
     if doubling.suits(tables):
         return "doubling"
+    if tables.longest > LONG:
+        return "in order"
     every = (tables.common, *tables.groups.values())
     alone = not tables.decomposition and tables.cut is None and not any(rules.context for rules in every)
     return "forest" if alone else "pool" if linking.suits(tables) else "in order"
@@ -112,8 +118,7 @@ def states(tables, generations, seed, meter, environment=None):
         moment = generation * LEVELS
         state.variables = executed(tables.system, "start_each", state.variables, generation, moment, seed)
         rules = tables.of_step(generation)
-        room = partial(meter.room, generation=generation)
-        state, _ = step(state, tables, rules, moment, generation, room)
+        state, _ = step(state, tables, rules, moment, generation, meter)
         state = decomposed(state, tables, generation, meter)
         for block in ("end_each", "end")[: 2 if generation == generations else 1]:
             state.variables = executed(tables.system, block, state.variables, generation, moment, seed)
@@ -167,8 +172,7 @@ def repeated(state, tables, rules, depth, generation, moment, meter, what):
     state = State(state.symbols, state.columns, state.keys, state.births, fresh, state.variables)
     for level in range(DEPTH + 1 if depth is None else depth):
         moments = generation * LEVELS + moment + level
-        room = partial(meter.room, generation=generation)
-        state, changed = step(state, tables, rules, moments, generation, room, cutting=False)
+        state, changed = step(state, tables, rules, moments, generation, meter, cutting=False)
         if not changed:
             break
         ends = depth is not None or level < DEPTH

@@ -26,17 +26,17 @@ def successors(tables):
     return found
 
 
-def word(tables, generations):
-    """(n,) uint8 array: the word after so many steps.
+def word(tables, generations, check):
+    """(n,) uint8 array: the word after so many steps; ``check`` is called before each and may refuse to go on.
 
     >>> from sweep_addon.core.grammars import LSystem
-    >>> word(LSystem.parse("axiom: A\\nA -> AB\\nB -> A").compiled, 4).tolist()
+    >>> word(LSystem.parse("axiom: A\\nA -> AB\\nB -> A").compiled, 4, lambda: None).tolist()
     [0, 1, 0, 0, 1, 0, 1, 0]
     """
-    return joined(tables, generations, lambda symbol: bytes([symbol]), lambda pieces: b"".join(pieces))
+    return joined(tables, generations, check, lambda symbol: bytes([symbol]), lambda pieces: b"".join(pieces))
 
 
-def births(tables, generations):
+def births(tables, generations, check):
     """(n,) uint8 array: the step that made each module of that word.
 
     A piece knows births as if its module were made at step 0; where it is copied it is one step older. A module that
@@ -48,17 +48,19 @@ def births(tables, generations):
         return b"".join(pieces).translate(later)
 
     steps = min(generations, MOST_BIRTHS)
-    return joined(tables, steps, lambda symbol: b"\0", older, tables.common.choices.keys())
+    return joined(tables, steps, check, lambda symbol: b"\0", older, tables.common.choices.keys())
 
 
-def joined(tables, generations, first, join, replaced=None):
+def joined(tables, generations, check, first, join, replaced=None):
     """The pieces of the axiom: those of a module join the pieces of its successors; those of what stays are kept."""
     after = successors(tables)
+    kinds = {symbol: set(made) for symbol, made in after.items()}
     needed = [set(tables.axiom.symbols)]
     for _ in range(generations):
-        needed.append({child for symbol in needed[-1] for child in after[symbol]})
+        needed.append(set().union(*(kinds[symbol] for symbol in needed[-1])))
     words = {symbol: first(symbol) for symbol in needed[-1]}
     for symbols in reversed(needed[:-1]):
+        check()
         becoming = symbols if replaced is None else symbols & replaced
         words = {symbol: words[symbol] for symbol in symbols - becoming} | {
             symbol: join([words[child] for child in after[symbol]]) for symbol in becoming

@@ -79,6 +79,7 @@ class Forest:
         self.lives = tables.lives
         self.population = {symbol: [] for symbol in self.lives}
         self.batches, self.nodes, self.total = [], 1, len(tables.axiom.symbols)
+        self.width = 16 + 8 * tables.columns + 8 * tables.random  # bytes of each: its room and place, what it holds
         axiom = Batch(tables.axiom, Chunk(slice(0, 1), 1, [], 0, root(seed) if tables.random else None), 0)
         self.grow([axiom], 0)
 
@@ -95,6 +96,7 @@ class Forest:
         batches = []
         for symbol, chunks in before.items():
             for chunk in chunks:
+                self.meter.check()
                 for template, part in taken(chunk, rules.choices.get(symbol, ()), moment):
                     if template is None:
                         self.population[symbol].append(part)
@@ -104,6 +106,7 @@ class Forest:
                         batches.append(Batch(template, part, generation))
         self.total += sum(batch.chunk.size * (len(batch.template.symbols) - 1) for batch in batches)
         self.meter.room(self.total, generation)
+        self.meter.nodes(self.nodes, self.width, generation)
         self.grow(batches, moment)
         for symbol, chunks in self.population.items():
             if len(chunks) > MOST_CHUNKS:

@@ -42,9 +42,11 @@ def grouped(rules):
 def check_probabilities(rules, problems, lines):
     """Add to the problems where probabilities sum to more than 1."""
     source = {passage.number: passage.line for _, passage, _ in lines}
-    sections = dict.fromkeys(section for section, _ in rules)
-    for section in sections:
-        for group in grouped([rule for where, rule in rules if where == section]):
+    sections = {}
+    for section, rule in rules:
+        sections.setdefault(section, []).append(rule)
+    for each in sections.values():
+        for group in grouped(each):
             total = sum(rule.chance for rule in group)
             if total > 1 + ROUNDING:
                 last = group[-1]

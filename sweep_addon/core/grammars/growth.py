@@ -13,6 +13,7 @@ from operator import and_, or_
 
 LONGEST = 2000  # steps that are foretold
 WIDEST = 1 << 4096  # beyond which a size is not counted on
+QUICK = 16  # modules of a successor that are counted in the time that one number is added up
 MOST_WORK = 500_000  # numbers that are added up for it: some take half a microsecond, so that nobody waits
 
 
@@ -70,13 +71,15 @@ def grown(tables, generations, which):
     counts = Counter(tables.axiom.symbols)
     made, growth, work = [counts.total()], {}, 0
     for step in range(1, generations + 1):
-        rules = tables.of_step(step)
-        if rules not in growth:
-            growth[rules] = {symbol: which(symbol, choices) for symbol, choices in rules.choices.items()}
-        counts = after(counts, growth[rules])
-        work += sum(len(growth[rules].get(symbol, ())) for symbol in counts)
+        group = tables.group_of(step)
+        for symbol in [symbol for symbol in counts if (group, symbol) not in growth]:
+            choices = tables.of_step(step).choices.get(symbol, ())
+            growth[group, symbol] = which(symbol, choices) if choices else Counter([symbol])
+            work += sum(len(template.symbols) for choice in choices for template in choice.templates) // QUICK
+        work += sum(len(growth[group, symbol]) for symbol in counts)
         if work > MOST_WORK:
             return None
+        counts = after(counts, group, growth)
         made.append(counts.total())
         if made[-1] > WIDEST:
             break
@@ -113,10 +116,10 @@ def certain(tables):
     return plain and not tables.decomposition and tables.cut is None
 
 
-def after(counts, growth):
+def after(counts, group, growth):
     """The numbers of modules of each kind after a step."""
     found = Counter()
     for symbol, count in counts.items():
-        for made, times in growth.get(symbol, {symbol: 1}).items():
+        for made, times in growth[group, symbol].items():
             found[made] += count * times
     return found

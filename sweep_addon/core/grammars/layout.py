@@ -8,7 +8,7 @@ live on under numbers of their own, and all else is written here for the first t
 
 import numpy as np
 
-from .stepping import State
+from .stepping import State, put
 
 
 def word(growth, births):
@@ -105,10 +105,3 @@ def write(batch, place, stop, cursor, state):
     if state.keys is not None:
         for at in range(place, stop):
             state.keys[at - place :][cursor] = batch.template.child_keys(batch.keys, at)
-
-
-def put(array, cursor, row):
-    """Write a row from each place on: its items at once, as overlapping windows of bytes."""
-    if len(cursor):
-        windows = np.ndarray((len(array) - len(row) + 1,), f"V{row.nbytes}", array, 0, (array.itemsize,))
-        windows[cursor] = row.view(f"V{row.nbytes}")[0]

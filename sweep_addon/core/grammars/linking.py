@@ -17,9 +17,10 @@ def suits(tables):
     count = len(tables.symbols) + 1
     if tables.decomposition or tables.cut is not None or count > WIDEST:
         return False
-    if sum(map(len, (choices for rules in every for choices in rules.choices.values()))) * count**2 > MOST_TRIES:
+    most = max((rules.count for rules in tables.groups.values()), default=0) + tables.common.count
+    if most * count**2 > MOST_TRIES:
         return False
-    return not any(rules.branches for rules in every) and all(
+    return not any(rules.lateral for rules in every) and all(
         plain(tables, symbol, choice)
         for rules in every
         for symbol, choices in rules.choices.items()

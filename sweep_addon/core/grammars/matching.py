@@ -7,6 +7,9 @@ import numpy as np
 from ..expressions import DRAW
 from ..parameters import ShapeError
 from .draws import even
+from .evaluating import values
+
+FEW = 32  # kinds of modules, each of which is searched for by itself
 
 
 class Site:
@@ -15,8 +18,8 @@ class Site:
     Parameters
     ----------
     state : State
-    rows : list of (m,) int array
-        The places of the predecessors, and of each node of the context.
+    rows : dict of int to (m,) int array
+        The places of the predecessors, node 0, and of those nodes of the context whose parameters are asked for.
     moment : int
         The step that is made, for random numbers.
     """
@@ -26,27 +29,27 @@ class Site:
 
     def keep(self, chosen):
         """Those of the modules that are chosen."""
-        return Site(self.state, [rows[chosen] for rows in self.rows], self.moment)
+        return Site(self.state, {node: rows[chosen] for node, rows in self.rows.items()}, self.moment)
 
     def values(self, expression, sources):
         """(m,) float array, or one number where it is the same for all: the value of a formula of parameters."""
-        names = {}
-        for name in expression.names:
+
+        def find(name, part):
             if name.startswith(DRAW):
-                names[name] = self.even(1 + int(name.removeprefix(DRAW)))
-            elif name not in sources:
-                names[name] = self.state.variables[name]
-            else:
-                node, column = sources[name]
-                names[name] = self.state.columns[column][self.rows[node]]
-        return expression.run(names)
+                return self.even(1 + int(name.removeprefix(DRAW)), part)
+            if name not in sources:
+                return self.state.variables[name]
+            node, column = sources[name]
+            return self.state.columns[column][self.rows[node][part]]
 
-    def even(self, draw):
-        """(m,) float array: random numbers of these modules."""
-        return even(self.state.keys[self.rows[0]], self.moment, draw)
+        return values(expression, find, len(self.rows[0]))
+
+    def even(self, draw, part=slice(None)):
+        """(m,) float array: random numbers of these modules, or of a part."""
+        return even(self.state.keys[self.rows[0][part]], self.moment, draw)
 
 
-def taken(state, rules, moment, links):
+def taken(state, rules, moment, links, check):
     """The productions that modules of a word take.
 
     Parameters
@@ -56,6 +59,8 @@ def taken(state, rules, moment, links):
     moment : int
     links : Neighbours or None
         Of the word, where a production has a context.
+    check : callable
+        Called now and then; it may refuse to go on.
 
     Yields
     ------
@@ -63,13 +68,23 @@ def taken(state, rules, moment, links):
     Site
         The modules that it replaces.
     """
-    for symbol, choices in rules.choices.items():
-        wanted = state.symbols == symbol
-        waiting = np.flatnonzero(wanted if state.fresh is None else wanted & state.fresh)
-        yield from tried(state, waiting, [(choice, False) for choice in choices], moment, links)
+    for symbol, places in parted(state.symbols, rules.choices):
+        waiting = places if state.fresh is None else places[state.fresh[places]]
+        yield from tried(state, waiting, [(choice, False) for choice in rules.choices[symbol]], moment, links, check)
 
 
-def tried(state, waiting, choices, moment, links):
+def parted(symbols, kinds):
+    """The places in a word of the modules of each of some kinds, of those that are there."""
+    here = np.bincount(symbols) if len(symbols) else ()
+    present = [symbol for symbol in kinds if symbol < len(here) and here[symbol]]
+    if len(present) <= FEW:
+        yield from ((symbol, np.flatnonzero(symbols == symbol)) for symbol in present)
+        return
+    order, stops = np.argsort(symbols, kind="stable"), np.cumsum(here)
+    yield from ((symbol, order[stops[symbol] - here[symbol] : stops[symbol]]) for symbol in present)
+
+
+def tried(state, waiting, choices, moment, links, check):
     """The productions that modules take, of some in their order.
 
     Parameters
@@ -81,6 +96,7 @@ def tried(state, waiting, choices, moment, links):
         What they may take, and whether their contexts are known to match.
     moment : int
     links : Neighbours, Pool or None
+    check : callable
 
     Yields
     ------
@@ -91,8 +107,9 @@ def tried(state, waiting, choices, moment, links):
     for choice, known in choices:
         if not waiting.size:
             return
-        site = Site(state, [waiting], moment)
-        matches = matched(site, choice, links, known)
+        check()
+        site = Site(state, {0: waiting}, moment)
+        matches = matched(site, choice, links, known, check)
         if matches is None:
             waiting = waiting[:0]
         else:
@@ -100,16 +117,16 @@ def tried(state, waiting, choices, moment, links):
             still = np.ones(len(waiting), dtype=bool)
             still[matches] = False
             waiting = waiting[still]
-        if choice.nodes:
+        if choice.needed:
             site = with_context(site, choice, links)
         yield from shared(site, choice)
 
 
-def matched(site, choice, links, known):
+def matched(site, choice, links, known, check):
     """Which modules of a site match context and condition; None for all of them."""
     found = None
     if choice.nodes and not known:
-        found = context(site, choice, links)
+        found = context(site, choice, links, check)
     if choice.condition is not None and (found is None or found.size):
         site = with_context(site if found is None else site.keep(found), choice, links)
         holds = finite(site.values(choice.condition, choice.sources), choice.productions[0], "the condition") != 0
@@ -118,27 +135,36 @@ def matched(site, choice, links, known):
     return found
 
 
-def context(site, choice, links):
+def context(site, choice, links, check):
     """Which modules of a site have the context of a choice."""
-    found = np.arange(len(site.rows[0]))
-    rows = [site.rows[0]]
+    found, rows = np.arange(len(site.rows[0])), {0: site.rows[0]}
     symbols = site.state.ended
-    for origin, link, number, symbol in choice.nodes:
-        table = links.branch[number] if link == "branch" else getattr(links, link)
-        next_rows = table[rows[origin]]
-        there = symbols[next_rows] == symbol
-        found = found[there]
-        rows = [each[there] for each in (*rows, next_rows)]
+    for node, (origin, link, number, symbol) in enumerate(choice.nodes, 1):
+        check()
+        rows[node] = linked(links, link, number, rows[origin])
+        there = symbols[rows[node]] == symbol
+        rows = {other: each for other, each in rows.items() if choice.last[other] > node}
+        if not there.all():
+            found, rows = found[there], {other: each[there] for other, each in rows.items()}
+        if not found.size:
+            break
     return found
 
 
 def with_context(site, choice, links):
-    """The same modules with those of their context."""
-    rows = list(site.rows[:1])
-    for origin, link, number, _ in choice.nodes:
-        table = links.branch[number] if link == "branch" else getattr(links, link)
-        rows.append(table[rows[origin]])
-    return Site(site.state, rows, site.moment)
+    """The same modules with those of their context whose parameters are asked for."""
+    rows, kept = {0: site.rows[0]}, {0: site.rows[0]}
+    for node, (origin, link, number, _) in enumerate(choice.nodes[: max(choice.needed, default=0)], 1):
+        rows[node] = linked(links, link, number, rows[origin])
+        if node in choice.needed:
+            kept[node] = rows[node]
+        rows = {other: each for other, each in rows.items() if choice.last[other] > node}
+    return Site(site.state, kept, site.moment)
+
+
+def linked(links, link, number, rows):
+    """(m,) int array: the neighbours of modules by a link, the so-manieth of a kind of which there are several."""
+    return links.branch(number, rows) if link == "branch" else getattr(links, link)[rows]
 
 
 def shared(site, choice):

@@ -171,8 +171,11 @@ class Alphabet:
 
     def patterns(self, passage):
         """The modules in a passage whose parameters are names."""
-        made = []
+        made, plain = [], {}
         for letter in self.letters(passage):
+            if not letter.arguments:
+                made.append(plain.get(letter.name) or plain.setdefault(letter.name, Pattern(letter.name)))
+                continue
             for argument in letter.arguments:
                 if not NAME.fullmatch(argument.text):
                     argument.refuse("a name for the parameter", 0, shown(argument.text))

@@ -7,6 +7,8 @@ neighbours: those of one branch follow each other, behind a mark where the branc
 what it grows out of; on the right of its last module is nothing.
 """
 
+from functools import cached_property
+
 import numpy as np
 
 from .tables import ASKS, CLOSES, OPENS, SEEN
@@ -28,30 +30,26 @@ class Neighbours:
     ----------
     kind : (n,) uint8 array
         What each module is to contexts.
-    branches : int
-        How many branches behind a module somebody may ask for.
 
     Attributes
     ----------
     left, right : (n + 1,) int array
         The module before on the way to the root, and the next in the same branch; n where there is none.
-    branch : list of (n + 1,) int array
-        The first module of the first, second, ... branch behind a module, before its right neighbour.
 
     Examples
     --------
     >>> word = "A[B]C[DE]F"
     >>> kind = np.array([{"[": OPENS, "]": CLOSES}.get(letter, SEEN) for letter in word], dtype=np.uint8)
-    >>> found = Neighbours(kind, branches=1)
+    >>> found = Neighbours(kind)
     >>> [(word + "-")[found.left[word.index(letter)]] for letter in "ABCDEF"]
     ['-', 'A', 'A', 'C', 'D', 'C']
     >>> [(word + "-")[found.right[word.index(letter)]] for letter in "ABCDEF"]
     ['C', '-', 'F', 'E', '-', '-']
-    >>> [(word + "-")[found.branch[0][word.index(letter)]] for letter in "AC"]
-    ['B', 'D']
+    >>> [(word + "-")[found.branch(0, [word.index(letter)])[0]] for letter in "ACD"]
+    ['B', 'D', '-']
     """
 
-    def __init__(self, kind, branches=0):
+    def __init__(self, kind):
         self.none = len(kind)
         depth = depths(kind)
         at = np.flatnonzero((kind == SEEN) | (kind == OPENS) | (kind == ASKS))
@@ -70,7 +68,6 @@ class Neighbours:
         self.before, self.after = self.solid()
         self.brackets = np.flatnonzero(self.opens())
         self.left, self.right = self.links()
-        self.branch = [self.branches(number) for number in range(branches)]
 
     def solid(self):
         """The entry before and behind each in the sorted order that is seen; -1 and the number of entries for none."""
@@ -117,18 +114,33 @@ class Neighbours:
         is_there &= self.level[found] == self.level[entries]
         return np.where(is_there, self.at[found], self.none)
 
-    def branches(self, number):
-        """The first module of the so-manieth branch behind each module."""
-        first = np.full(self.none + 1, self.none)
-        asking = np.flatnonzero(self.what != BEGINS)
-        asking = asking[~np.isin(asking, self.brackets)]
-        place = np.searchsorted(self.brackets, asking) + number
-        asking, place = asking[place < len(self.brackets)], place[place < len(self.brackets)]
-        bracket = self.brackets[place]
-        behind = np.where(self.what[asking] == MODULE, asking, self.before[asking]) == self.before[bracket]
-        behind &= self.level[asking] == self.level[bracket]
-        first[self.at[asking[behind]]] = self.module_after(self.begun[bracket[behind]])
-        return first
+    @cached_property
+    def entry(self):
+        """(n + 1,) int array: which entry of the sorted order each module is; -1 for what is none."""
+        found = np.full(self.none + 1, -1)
+        modules = self.what != BEGINS
+        modules[self.brackets] = False
+        found[self.at[modules]] = np.flatnonzero(modules)
+        return found
+
+    def branch(self, number, places):
+        """(m,) int array: the first module of the so-manieth branch behind modules, before their right neighbours.
+
+        Parameters
+        ----------
+        number : int
+            From 0.
+        places : (m,) int array
+            In the word; n where there is none.
+        """
+        found, entry = np.full(len(places), self.none), self.entry[places]
+        place = np.searchsorted(self.brackets, entry) + number
+        asking = np.flatnonzero((entry >= 0) & (place < len(self.brackets)))
+        entry, bracket = entry[asking], self.brackets[place[asking]]
+        behind = np.where(self.what[entry] == MODULE, entry, self.before[entry]) == self.before[bracket]
+        behind &= self.level[entry] == self.level[bracket]
+        found[asking[behind]] = self.module_after(self.begun[bracket[behind]])
+        return found
 
 
 def narrow(level):

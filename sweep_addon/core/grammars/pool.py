@@ -7,13 +7,15 @@ leaves its predecessor's place in the pool to the last module that contexts see 
 pointed to the predecessor from the right stays true, and from the left at most one module points to it.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from .draws import root
 from .linking import Lookup, Shape
 from .matching import Site, finite, tried
 from .stepping import told
-from .tables import SEEN
+from .tables import RECENT, SEEN
 
 NONE = 0  # the number of no module
 
@@ -64,18 +66,20 @@ class Pool:
         How many modules the word has.
     """
 
-    branch, root = (), 1
+    root = 1
 
     def __init__(self, tables, seed, meter):
         self.tables, self.meter = tables, meter
         self.none = len(tables.symbols)
-        self.count, self.shapes, self.lookups, self.batches = 2, {}, {}, []
+        self.count, self.shapes, self.batches = 2, {}, []
+        self.lookup = lru_cache(maxsize=RECENT)(lambda rules: Lookup(rules, tables))
         self.symbols = np.full(2, self.none, dtype=np.uint8)
         self.left, self.right = np.zeros(2, dtype=np.intp), np.zeros(2, dtype=np.intp)
         self.columns = [np.zeros(2) for _ in range(tables.columns)]
         self.keys = np.repeat(root(seed), 2) if tables.random else None
         self.total = len(tables.axiom.symbols)
-        parameters = self.evaluated(tables.axiom, Site(self, [np.array([1])], 0))
+        self.width = 48 + 16 * tables.columns + 16 * tables.random  # bytes of each, of which room is kept for as many
+        parameters = self.evaluated(tables.axiom, Site(self, {0: np.array([1])}, 0))
         axiom = Batch(tables.axiom, self.shape(tables.axiom), np.array([1]), parameters)
         self.replace(axiom, heir=False)
 
@@ -114,9 +118,7 @@ class Pool:
 
     def step(self, rules, generation, moment):
         """Replace all modules at once."""
-        if rules not in self.lookups:
-            self.lookups[rules] = Lookup(rules, self.tables)
-        lookup = self.lookups[rules]
+        lookup = self.lookup(rules)
         symbols = self.symbols[: self.count]
         size = self.none + 1
         key = symbols[self.left[: self.count]].astype(np.uint32)
@@ -129,7 +131,7 @@ class Pool:
         changes, batches = [], []
         for number in np.unique(code[busy]).tolist():
             waiting = busy[code[busy] == number]
-            for template, site in tried(self, waiting, lookup.lists[number - size], moment, self):
+            for template, site in tried(self, waiting, lookup.lists[number - size], moment, self, self.meter.check):
                 values = self.evaluated(template, site)
                 if len(template.symbols) == 1:
                     changes.append((site.rows[0], template.symbols[0], values))
@@ -137,6 +139,7 @@ class Pool:
                     batches.append(Batch(template, self.shape(template), site.rows[0], values))
         self.total += sum(len(batch.nodes) * (len(batch.template.symbols) - 1) for batch in batches)
         self.meter.room(self.total, generation)
+        self.meter.nodes(self.count, self.width, generation)
         code[busy] = symbols[busy]
         self.symbols[: self.count] = code
         for nodes, symbol, values in changes:

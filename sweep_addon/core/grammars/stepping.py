@@ -6,6 +6,8 @@ Lengths of successors give places by a cumulative sum; then each module is writt
 special kinds of grammars is in `doubling` and `forest`, whose words are the same.
 """
 
+from functools import cached_property
+
 import numpy as np
 
 from ..expressions import DRAW
@@ -36,7 +38,7 @@ class State:
         self.symbols, self.columns, self.keys, self.births, self.fresh = symbols, columns, keys, births, fresh
         self.variables = variables or {}
 
-    @property
+    @cached_property
     def ended(self):
         """(n + 1,) array: the symbols, and what is no symbol where there is no module."""
         return np.append(self.symbols, self.symbols.dtype.type(-1 % 2 ** (8 * self.symbols.itemsize)))
@@ -60,7 +62,7 @@ def first(tables, key, variables=None):
     return state
 
 
-def step(state, tables, rules, moment, birth, room, cutting=True):
+def step(state, tables, rules, moment, birth, meter, cutting=True):
     """The word after a step.
 
     Parameters
@@ -72,8 +74,8 @@ def step(state, tables, rules, moment, birth, room, cutting=True):
         The step, for random numbers.
     birth : int
         The step, as modules remember it.
-    room : callable
-        Called with the number of modules to come before they are made; it may refuse.
+    meter : Meter
+        Asked before modules are made, and while they are looked at.
     cutting : bool
         Whether cuts act.
 
@@ -84,13 +86,13 @@ def step(state, tables, rules, moment, birth, room, cutting=True):
         Whether any module was replaced.
     """
     kind = tables.kind[state.symbols]
-    links = Neighbours(kind, rules.branches) if rules.context else None
+    links = Neighbours(kind) if rules.context else None
     cuts = np.flatnonzero(state.symbols == tables.cut) if cutting and tables.cut is not None else ()
     gone = removed(kind, cuts) if len(cuts) else None
 
     replaced = []
     sizes = np.ones(len(state), dtype=np.intp)
-    for template, site in taken(state, rules, moment, links):
+    for template, site in taken(state, rules, moment, links, meter.check):
         if gone is not None:
             site = site.keep(np.flatnonzero(~gone[site.rows[0]]))
         sizes[site.rows[0]] = len(template.symbols)
@@ -102,7 +104,7 @@ def step(state, tables, rules, moment, birth, room, cutting=True):
 
     ends = np.cumsum(sizes)
     total = int(ends[-1]) if len(ends) else 0
-    room(total)
+    meter.room(total, birth)
     return written(state, replaced, gone, ends - sizes, total, moment, birth), True
 
 
@@ -131,21 +133,36 @@ def written(state, replaced, gone, starts, total, moment, birth):
 
     for template, site in replaced:
         at = starts[site.rows[0]]
-        for place, symbol in enumerate(template.symbols):
-            symbols[at + place] = symbol
+        put(symbols, at, np.array(template.symbols, dtype=symbols.dtype))
         for place, column, value in template.fixed:
-            columns[column][at + place] = value
+            columns[column][place:][at] = value
         known = {}
         for place, column, formula in template.formulas:
             if formula.program not in known:
                 value = finite(site.values(formula, template.sources), template.rule, told(template, place, column))
                 known[formula.program] = value
-            columns[column][at + place] = known[formula.program]
+            columns[column][place:][at] = known[formula.program]
         if keys is not None:
-            parents = state.keys[site.rows[0]]
-            for place in range(len(template.symbols)):
-                keys[at + place] = template.child_keys(parents, place)
+            put_keys(keys, at, state.keys[site.rows[0]], template)
     return State(symbols, columns, keys, births, fresh, state.variables)
+
+
+def put(array, cursor, row):
+    """Write a row from each place on: its items at once, as overlapping windows of bytes."""
+    if len(cursor) and len(row):
+        windows = np.ndarray((len(array) - len(row) + 1,), f"V{row.nbytes}", array, 0, (array.itemsize,))
+        windows[cursor] = row.view(f"V{row.nbytes}")[0]
+
+
+def put_keys(keys, cursor, parents, template):
+    """Write the keys of a successor from each place on: place by place, or where it is long one successor at a time."""
+    size = len(template.symbols)
+    if size <= len(parents):
+        for place in range(size):
+            keys[place:][cursor] = template.child_keys(parents, place)
+    else:
+        for at, start in enumerate(cursor.tolist()):
+            keys[start : start + size] = template.child_keys(parents[at : at + 1], slice(None))
 
 
 def told(template, place, column):

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A system as tables: modules are numbers, productions lists of numbers and formulas."""
 
-from functools import cached_property
+from bisect import bisect_right
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from .modules import CLOSE, ENVIRONMENT, OPEN, QUERIES
 from .statements import names
 
 CUT = "%"
+RECENT = 32  # groups whose tables are kept
 HIDDEN, SEEN, OPENS, CLOSES, ASKS = range(5)  # what a module is to a context; ASKS is hidden, but has a context itself
 
 
@@ -27,7 +29,7 @@ class Tables:
     common, decomposition, homomorphism : Rules
         Productions of every step, and of the other sections.
     groups : dict of int to Rules
-        Those of each group, and behind them the common ones.
+        Those of each group.
     lives : set of int
         Modules that a production of some step replaces.
     kind : (s + 1,) uint8 array
@@ -42,6 +44,8 @@ class Tables:
         Modules that are filled in after each step, by their numbers: name and number of parameters.
     random : bool
         Whether anything hangs on chance.
+    longest : int
+        How many modules the axiom or the longest successor has.
     """
 
     def __init__(self, system):
@@ -57,8 +61,10 @@ class Tables:
         for rule in (rule for section in sections for rule in section):
             for module in (rule.predecessor, *rule.successor, *rule.left, *rule.right):
                 self.number(module)
-        self.groups = {number: Rules([*rules, *system.productions], self) for number, rules in system.groups}
+        self.groups = {number: Rules(rules, self) for number, rules in system.groups}
         self.common = Rules(system.productions, self)
+        self.begun = sorted(self.groups)
+        self.both = lru_cache(maxsize=RECENT)(lambda number: Both(self.groups[number], self.common))
         self.decomposition = Rules(system.decomposition, self)
         self.homomorphism = Rules(system.homomorphism, self)
         self.lives = {symbol for rules in (self.common, *self.groups.values()) for symbol in rules.choices}
@@ -71,6 +77,7 @@ class Tables:
         self.queries = {number: told for number, told in enumerate(self.symbols) if told[0] in asking and told[1]}
         every = (self.common, self.decomposition, self.homomorphism, *self.groups.values())
         self.random = self.axiom.random or any(rules.random for rules in every)
+        self.longest = max([len(self.axiom.symbols), *(rules.longest for rules in every)])
 
     def number(self, module):
         """The number of a module or pattern."""
@@ -92,14 +99,17 @@ class Tables:
 
     def of_step(self, step):
         """The productions of a step, from 1."""
-        system = self.system
-        if not self.groups:
-            return self.common
-        if system.schedule is None:
-            begun = [number for number in self.groups if number <= step]
-            return self.groups[max(begun)] if begun else self.common
-        groups, again = system.schedule
-        return self.groups.get(groups[(step - 1) % len(groups) if again else min(step, len(groups)) - 1], self.common)
+        number = self.group_of(step)
+        return self.common if number is None else self.both(number)
+
+    def group_of(self, step):
+        """The number of the group of a step; None where it has none."""
+        if self.system.schedule is None:
+            place = bisect_right(self.begun, step) - 1
+            return self.begun[place] if place >= 0 else None
+        groups, again = self.system.schedule
+        number = groups[(step - 1) % len(groups) if again else min(step, len(groups)) - 1]
+        return number if number in self.groups else None
 
 
 class Rules:
@@ -111,12 +121,24 @@ class Rules:
             self.choices.setdefault(tables.number(group[0].predecessor), []).append(Choice(group, tables))
         every = [choice for choices in self.choices.values() for choice in choices]
         self.context = any(choice.nodes for choice in every)
-        self.branches = max((count for choice in every for count in choice.branches), default=0)
+        self.lateral = any(link == "branch" for choice in every for _, link, _, _ in choice.nodes)
         self.random = any(choice.random for choice in every)
         self.certain = all(choice.certain for choice in every)
+        self.count = len(every)
+        self.longest = max((len(template.symbols) for choice in every for template in choice.templates), default=0)
 
     def __bool__(self):
         return bool(self.choices)
+
+
+class Both:
+    """The productions of a group, and behind them those of every step."""
+
+    def __init__(self, group, common):
+        self.choices = common.choices | {
+            symbol: [*choices, *common.choices.get(symbol, ())] for symbol, choices in group.choices.items()
+        }
+        self.context = group.context or common.context
 
 
 class Choice:
@@ -137,7 +159,9 @@ class Choice:
         first = group[0]
         self.productions = group
         self.nodes = nodes(first, tables)
-        self.branches = [1 + count for _, link, count, _ in self.nodes if link == "branch"]
+        self.last = [0] * (1 + len(self.nodes))  # which node is the last that is next to each
+        for node, (origin, *_) in enumerate(self.nodes, 1):
+            self.last[origin] = node
         self.condition = first.condition
         self.bounds = np.cumsum([rule.chance for rule in group])
         if abs(self.bounds[-1] - 1) < ROUNDING:
@@ -145,6 +169,9 @@ class Choice:
         self.always = len(group) == 1 and self.bounds[-1] == 1
         self.templates = [Template(rule.successor, tables, rule) for rule in group]
         self.sources = sources(first)
+        formulas = [self.condition] * (self.condition is not None)
+        formulas += [p for template in self.templates for _, _, p in template.formulas]
+        self.needed = {self.sources[name][0] for p in formulas for name in p.names if name in self.sources} - {0}
         drawing = self.condition is not None and any(name.startswith(DRAW) for name in self.condition.names)
         self.random = not self.always or drawing or any(template.random for template in self.templates)
         self.certain = self.condition is None and not self.nodes and self.always
