@@ -62,6 +62,9 @@ def grammars(draw, context=True, stochastic=True, cut=True, axial=False):
         sides[1], sees = named(draw, strict), context and not (axial and strict in ignored)
         if sees and draw(st.booleans()):
             sides[0] = letters(draw, LETTERS, draw(st.integers(1, 2)), named)
+            for _ in range(draw(st.integers(-2, 0 if axial else 2))):
+                sides[0] += f"[{letters(draw, LETTERS, draw(st.integers(1, 2)), named)}]"
+            sides[0] += letters(draw, LETTERS, draw(st.integers(0, 1)), named)
         if sees and draw(st.booleans()):
             sides[2] = letters(draw, LETTERS, draw(st.integers(0, 1)), named)
             for _ in range(draw(st.integers(0, 0 if axial else 2))):

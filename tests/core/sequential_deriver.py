@@ -80,26 +80,46 @@ def matched(system, rule, word, at, step):
     values = {}
     if not bind(rule.predecessor, word[at], values):
         return None
-    place, pattern = at, list(rule.left)
-    while pattern:
+    place = at
+    for module, laterals in reversed(stem(rule.left)):
         place = before(system, word, place)
-        if place is None or not bind(pattern.pop(), word[place], values):
+        if place is None or not bind(module, word[place], values):
             return None
-    place = at + 1
-    for wanted in rule.right:
-        if wanted.name == "]":
-            place = past(word, place)
-            continue
-        place = behind(system, word, place, wanted.name == "[")
-        if place is None or not bind(wanted, word[place], values):
+        if not follow(system, word, place + 1, laterals, values):
             return None
-        place += 1
+    if not follow(system, word, at + 1, rule.right, values):
+        return None
     condition = rule.condition
     if condition:
         values |= {f"draw {k}": even(word[at][2], step, 1 + k) for k in range(20)}
         if not condition.run(values):
             return None
     return values
+
+
+def stem(patterns):
+    """What stands on the axis of a left context, each with the branches behind it."""
+    found, depth = [], 0
+    for pattern in patterns:
+        if pattern.name == "[" or depth:
+            depth += (pattern.name == "[") - (pattern.name == "]")
+            found[-1][1].append(pattern)
+        else:
+            found.append((pattern, []))
+    return found
+
+
+def follow(system, word, place, patterns, values):
+    """Whether patterns are what is found from a place on; those in brackets begin branches."""
+    for wanted in patterns:
+        if wanted.name == "]":
+            place = past(word, place)
+            continue
+        place = behind(system, word, place, wanted.name == "[")
+        if place is None or not bind(wanted, word[place], values):
+            return False
+        place += 1
+    return True
 
 
 def bind(pattern, module, values):

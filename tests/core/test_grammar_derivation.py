@@ -246,3 +246,26 @@ def test_births_in_a_pool_are_those_derived_step_by_step():
     word, ordered = (LSystem.parse(text_).derive(8) for text_ in (told, told + IN_ORDER))
     assert strategy(word.tables) == "pool" and strategy(ordered.tables) == "in order"
     assert word.births.tolist() == ordered.births.tolist()
+
+
+@pytest.mark.parametrize(
+    ("word", "rule", "wanted"),
+    [
+        ("A[I[E]H]HB[C[E]D]D", "A[I]H < B -> X", "A[I[E]H]HX[C[E]D]D"),  # test_matching_future.lpy of L-Py
+        ("A[B]C", "A[B] < C -> X", "A[B]X"),
+        ("A[D]C", "A[B] < C -> X", "A[D]C"),
+        ("A[BD]C", "A[BD] < C -> X", "A[BD]X"),
+        ("A[B]C", "A[BD] < C -> X", "A[B]C"),
+        ("A[D][B]C", "A[D][B] < C -> X", "A[D][B]X"),
+        ("A[D][B]C", "A[B] < C -> X", "A[D][B]C"),  # the first pair is the first branch
+        ("A[B][C]", "A[B] < C -> X", "A[B][X]"),  # a left context steps out of its branch
+        ("A[B]CA[B]DC", "A[B] < C -> X", "A[B]XA[B]DC"),
+        ("A[B[E]F]DC", "A[B[E]F]D < C -> X", "A[B[E]F]DX"),
+        ("A[B[D]F]DC", "A[B[E]F]D < C -> X", "A[B[D]F]DC"),
+        ("A(1)[B(2)]C(3)", "A(x)[B(y)] < C(z) > * -> X(x,y,z)", "A(1)[B(2)]X(1,2,3)"),
+        ("E[D]A[B]CG", "E[D]A[B] < C > G : 1 < 2 -> X", "E[D]A[B]XG"),
+    ],
+)
+def test_brackets_in_a_left_context_hold_what_a_branch_begins_with(word, rule, wanted):
+    rule = rule.replace(" > *", "")
+    assert str(LSystem.parse(f"axiom: {word}\n{rule}").derive(1)) == wanted

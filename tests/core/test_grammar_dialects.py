@@ -85,6 +85,7 @@ def test_lines_of_cpfg(line, book):
         ("#dialect cpfg\naxiom: A\n#include <x>", 3, "#define"),
         ("#dialect cpfg\naxiom: A\n#define f(x,y) x\nA --> F(f(1))", 4, "2 parameters of f"),
         ("#dialect cpfg\naxiom: A\n#define f(2) x", 3, "names for the parameters of a macro"),
+        ("#dialect cpfg\naxiom: A\nA[B] < C --> A", 3, "a left context without brackets"),
         ("#dialect cpfg\naxiom: A\nA --> !F", 3, "one number in brackets behind !"),
         ("#dialect cpfg\naxiom: A\nA --> F@M(1,2,3)", 3, "a symbol that has a meaning here"),
         ("#dialect cpfg\naxiom: A\nhomomorphism\nseed: 3", 4, "one seed"),

@@ -144,6 +144,8 @@ def test_angles_of_formulas_are_degrees():
         ("F -> FF", 1, 8, "a line 'axiom: ...' in the text", "the end of the line"),
         ("axiom: F\nF -> F\x00", 2, 7, "text", "the character 0"),
         ("axiom: F\nF -> é", 2, 6, "a module", "'é'"),
+        ("axiom: F\n[A] < F -> F", 2, 1, "a module before '['", "'['"),
+        ("axiom: F\nA[ < F -> F", 2, 2, "']' after it", "'['"),
         ("axiom: F\nF > [[A]B] -> F", 2, 6, "the module that a branch begins with", "'['"),
     ],
 )

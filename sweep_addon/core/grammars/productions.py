@@ -26,7 +26,7 @@ class Production:
     successor : tuple of Module
         Empty where the module vanishes.
     left, right : tuple of Pattern
-        The context on both sides; on the right brackets may hold what a lateral branch begins with.
+        The context on both sides; brackets may hold what a lateral branch begins with.
     condition : Expression or None
     probability : Expression or None
         A constant.
@@ -103,8 +103,9 @@ def patterned(passage, alphabet, constants, variables=()):
         head = head.part(label.end())
     head, condition = split(head, ":")
     left, predecessor, right = around(head)
-    left = one_sided(left, alphabet)
-    right = laterals(right, alphabet)
+    if left is not None and left.text.startswith(OPEN):
+        left.refuse("a module before '[', behind which the branch stands")
+    left, right = contextual(left, alphabet), contextual(right, alphabet)
     strict = strict_predecessor(predecessor, alphabet)
     names = names_of([*left, strict, *right], head)
     names += tuple(name for name in variables if name not in names)
@@ -193,18 +194,8 @@ def around(head):
     return left, strict, right
 
 
-def one_sided(passage, alphabet):
-    """The modules of a left context, which has no branches: complete ones are skipped."""
-    if passage is None:
-        return ()
-    for letter in alphabet.letters(passage):
-        if letter.name in (OPEN, CLOSE):
-            passage.refuse("a module without brackets on the left, where branches are skipped", letter.at)
-    return tuple(alphabet.patterns(passage))
-
-
-def laterals(passage, alphabet):
-    """The modules of a right context, whose brackets are in pairs."""
+def contextual(passage, alphabet):
+    """The modules of a context; brackets in it are in pairs and hold what branches begin with."""
     if passage is None:
         return ()
     letters = alphabet.letters(passage)

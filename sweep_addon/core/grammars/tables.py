@@ -177,35 +177,60 @@ class Choice:
         self.certain = self.condition is None and not self.nodes and self.always
 
 
-def patterns(rule):
-    """The patterns whose parameters a production may use: its predecessor, then its context from there outwards."""
-    right = (pattern for pattern in rule.right if pattern.name not in (OPEN, CLOSE))
-    return [rule.predecessor, *reversed(rule.left), *right]
+def linked(rule):
+    """The modules of a context from the predecessor outwards, and how each is found.
+
+    Returns
+    -------
+    list of (int, str, int, Pattern)
+        From which node, by which link, the so-manieth, and the module; node 0 is the predecessor, 1 the first listed.
+    """
+    found = []
+
+    def ahead(patterns, at):
+        behind, outer, link = 0, [], ("right", 0)
+        for pattern in patterns:
+            if pattern.name == OPEN:
+                outer.append((at, behind + 1))
+                link, behind = ("branch", behind), 0
+            elif pattern.name == CLOSE:
+                at, behind = outer.pop()
+                link = ("right", 0)
+            else:
+                found.append((at, *link, pattern))
+                at, behind, link = len(found), 0, ("right", 0)
+
+    at = 0
+    for pattern, laterals in reversed(axial(rule.left)):
+        found.append((at, "left", 0, pattern))
+        at = len(found)
+        ahead(laterals, at)
+    ahead(rule.right, 0)
+    return found
+
+
+def axial(patterns):
+    """The modules of a left context that stand on the axis, each with the brackets behind it and what is in them."""
+    found, depth = [], 0
+    for pattern in patterns:
+        depth += pattern.name == OPEN
+        if depth:
+            found[-1][1].append(pattern)
+        else:
+            found.append((pattern, []))
+        depth -= pattern.name == CLOSE
+    return found
 
 
 def sources(rule):
     """Of which node and column each parameter of a production is."""
-    return {name: (node, column) for node, p in enumerate(patterns(rule)) for column, name in enumerate(p.parameters)}
+    patterns = [rule.predecessor, *(pattern for *_, pattern in linked(rule))]
+    return {name: (node, column) for node, p in enumerate(patterns) for column, name in enumerate(p.parameters)}
 
 
 def nodes(rule, tables):
     """The nodes of a context."""
-    found, at = [], 0
-    for pattern in reversed(rule.left):
-        found.append((at, "left", 0, tables.number(pattern)))
-        at = len(found)
-    at, behind, outer, link = 0, 0, [], ("right", 0)
-    for pattern in rule.right:
-        if pattern.name == OPEN:
-            outer.append((at, behind + 1))
-            link, behind = ("branch", behind), 0
-        elif pattern.name == CLOSE:
-            at, behind = outer.pop()
-            link = ("right", 0)
-        else:
-            found.append((at, *link, tables.number(pattern)))
-            at, behind, link = len(found), 0, ("right", 0)
-    return found
+    return [(origin, link, number, tables.number(pattern)) for origin, link, number, pattern in linked(rule)]
 
 
 class Template:

@@ -137,6 +137,8 @@ class Reader:
         condition = f" : {condition}" if condition not in ("", "*") else ""
         contexts = re.sub(r"^\s*\*\s*<|>\s*\*\s*$", "", contexts).replace("=]", "]")
         left, strict, right = (part and self.heads(part) for part in around(Passage(contexts, source.number)))
+        if left and "[" in left:
+            source.refuse("a left context without brackets, which it never finds", 0, shown(left))
         colon = last_outside(successor, ":")
         body, chance = (successor[:colon], successor[colon + 1 :].strip()) if colon >= 0 else (successor, "")
         arrow = f"-({own.told(chance)})->" if chance else "->"
