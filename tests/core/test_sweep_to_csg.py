@@ -50,19 +50,24 @@ def test_a_washer_is_a_cylinder_less_a_cylinder():
 def test_the_mesh_of_a_tree_is_one_closed_surface_with_the_volume_of_the_sweep(every):
     """A solid without holes and voids has Euler characteristic 2: a gap between primitives would be a second surface.
 
-    One in 349 has one: the solver drops corners on straight lines, and misses by a last digit what comes there next.
     Arcs that are a single chord in the sweep are two in its primitives, which changes its volume by less than chords.
     """
     pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
-    parted = []
     for outline in REAL[::every]:
         sweep = extruded(outline)
         mesh = sw.sweep_to_csg(sweep).mesh()
         assert mesh.volume() == pytest.approx(sweep.mesh().volume(), rel=1e-3)
         assert not len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
-        if mesh.euler_characteristic() != 2:
-            parted.append(outline["id"])
-    assert len(parted) <= len(REAL[::every]) // 100, parted
+        assert mesh.euler_characteristic() == 2, outline["id"]
+
+
+def test_a_fillet_on_a_corner_that_lies_on_a_longer_line_is_joined_to_it():
+    """The solver alone drops such a corner: the fillet misses the line by a last digit and is a surface of its own."""
+    pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
+    sweep = extruded(next(outline for outline in REAL if outline["id"] == "prusa3-003"))
+    mesh = sw.sweep_to_csg(sweep).mesh()
+    assert mesh.euler_characteristic() == 2
+    assert mesh.volume() == pytest.approx(sweep.mesh().volume(), rel=1e-3)
 
 
 @pytest.mark.thorough

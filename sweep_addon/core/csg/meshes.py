@@ -4,12 +4,17 @@
 
 import numpy as np
 
+from .. import booleans
 from ..booleans import body_of, combined, mesh_of
+from ..facets import facets
 from ..parameters import at, require, spelled
 from ..polyhedron import polyhedron
 from ..runs import backward
+from ..translational_sweep import TranslationalSweep
 from .placed import Placed
 from .tree import Tree
+
+FACES = 1 << 32  # numbers for the faces of each operand
 
 
 def evaluated(tree):
@@ -20,8 +25,23 @@ def evaluated(tree):
 def body(operand, made):
     """An operand in the form of manifold3d; each object is made once, however often a tree has it."""
     if id(operand) not in made:
-        made[id(operand)] = combination(operand, made) if isinstance(operand, Tree) else body_of(closed_mesh(operand))
+        if isinstance(operand, Tree):
+            made[id(operand)] = combination(operand, made)
+        elif isinstance(operand, TranslationalSweep):
+            made[id(operand)] = with_sides(closed_mesh(operand), FACES * len(made))
+        else:
+            made[id(operand)] = body_of(closed_mesh(operand))
     return made[id(operand)]
+
+
+def with_sides(mesh, first):
+    """An extrusion in the form of manifold3d, its faces numbered from a first one on.
+
+    So corners on its straight lines stay, where the solver drops those between faces of one plane without numbers: what
+    is united there later would miss the line by a last digit, and be a surface of its own.
+    """
+    triangles, face = facets(mesh)
+    return booleans.body(mesh.vertices, triangles, first + face)
 
 
 def combination(tree, made):
