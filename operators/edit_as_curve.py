@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turn a contour, trajectory or direction that is numbers into a curve object that can be edited."""
+"""Turn a contour, body, trajectory or direction that is numbers into a curve object that can be edited."""
 
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError, parameters
+from ..sweep_addon.core.parameters import ShapeError, parameters, require, spelled
 from .on_sweep import OnSweep
 
 beside, curves = later("bridge.beside"), later("bridge.curves")
@@ -15,12 +15,13 @@ objects = later("bridge.objects")
 EDITABLE = {
     "trajectory": "The path along which the contour moves",
     "contour": "The outline that moves",
+    "body": "The outline along which a disc moves; a solid is no curve",
     "direction": "A guide beside the path, to which the contour's x axis points; the path becomes a curve first",
 }
 
 
 class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
-    """Make a curve object of the contour, trajectory or direction, which the sweep then follows"""
+    """Make a curve object of the contour, trajectory, direction or body, which the sweep then follows"""
 
     bl_idname = "object.sweep_edit_as_curve"
     bl_label = "Edit as Curve"
@@ -59,8 +60,15 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
         return {"FINISHED"}
 
 
+def contour_of(shape):
+    """The contour whose offset a shape is."""
+    require(shape.is_plane, "must be a contour to become a curve", spelled(type(shape.body)), "body")
+    return shape.body
+
+
 MAKERS = {
     "trajectory": lambda shape, name: curves.from_trajectory(shape.trajectory, name),
     "contour": lambda shape, name: curves.from_contour(shape.contour, name),
+    "body": lambda shape, name: curves.from_contour(contour_of(shape), name),
     "direction": lambda shape, name: curves.from_trajectory(beside.guide(shape), name),
 }

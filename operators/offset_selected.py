@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Move a ball over the active mesh: a new object, its offset, which follows it."""
+"""Move a ball over the active mesh, or a disc along the active curve: a new object, its offset, which follows it."""
 
 from bpy.types import Operator
 
@@ -10,11 +10,12 @@ from ..sweep_addon.core.parameters import ShapeError
 
 objects = later("bridge.objects")
 
-PART = 20  # of the size of a mesh is the radius, to begin with
+PART = 20  # of the size of a mesh or a curve is the radius, to begin with
+TYPES = {"MESH", "CURVE", "FONT"}
 
 
 class OBJECT_OT_sweep_offset_selected(Operator):
-    """Make an offset surface of the active mesh, which it then follows"""
+    """Make an offset surface of the active mesh, or of the area in the active curve or text, which it then follows"""
 
     bl_idname = "object.sweep_offset_selected"
     bl_label = "Offset Surface"
@@ -23,9 +24,9 @@ class OBJECT_OT_sweep_offset_selected(Operator):
     @classmethod
     def poll(cls, context):
         ob = context.active_object
-        if context.mode == "OBJECT" and ob and ob.type == "MESH" and ob.select_get():
+        if context.mode == "OBJECT" and ob and ob.type in TYPES and ob.select_get():
             return True
-        cls.poll_message_set("Select a closed mesh")
+        cls.poll_message_set("Select a closed mesh, a curve or a text")
         return False
 
     def execute(self, context):

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tab Sweep of the sidebar: the active shape's parameters, or what can be added, or why nothing can be done."""
 
+from typing import get_args
+
 from bpy.types import Panel
 
 from ..operators.add_shape import idname
 from ..operators.convert import is_tube
 from ..operators.edit_as_curve import EDITABLE
 from ..operators.make_solid import OBJECT_OT_sweep_make_solid
+from ..sweep_addon.core.contours import Contour
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import parameters
+from ..sweep_addon.core.parameters import parameters, spelled
 from ..sweep_addon.core.plant import Plant
 from ..sweep_addon.core.resolving import MEETING
 from ..sweep_addon.core.self_intersection import PREFIX
@@ -107,7 +110,7 @@ def draw_sweep(layout, context, mesh, say):
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
     names = {p.name for p in declared if p.accepts}
-    editable = [name for name in EDITABLE if name in names]
+    editable = [name for name in EDITABLE if name in names and (name != "body" or chosen_contour(group))]
     for some in filter(None, (editable[:2], editable[2:])):
         row = layout.row(align=True)
         for name in some:
@@ -123,6 +126,11 @@ def draw_sweep(layout, context, mesh, say):
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+
+
+def chosen_contour(group):
+    """Whether the body of an offset is one of the contours, and so may become a curve."""
+    return group.body in {spelled(kind, "_").upper() for kind in get_args(Contour)}
 
 
 def draw_self_intersections(layout, sweep, say):

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Presets are closed, quick to drag, and as large as the source that each names says.
 
-Those of mixed dimension are not closed; what they are is in tests/core/test_mixed_dimension.py.
+Those of mixed dimension are not closed; what they are is in tests/core/test_mixed_dimension.py. Plane regions are flat.
 """
 
 from math import atan, degrees, pi
@@ -16,7 +16,7 @@ from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import place
 
 ALL = [preset.name for preset in presets.PRESETS]
-SOLID = [preset for preset in presets.PRESETS if preset.group != "mixed_dimension"]
+SOLID = [preset for preset in presets.PRESETS if preset.group not in ("mixed_dimension", "plane_region")]
 LONG = {"general_sweep": pytest.mark.thorough}  # presets whose meshes take seconds
 MOST_VERTICES = 65_536  # Blender draws so many in a few milliseconds
 
@@ -51,10 +51,25 @@ def test_preset_is_a_job_for_a_closed_mesh_that_says_no_more_than_how_fine_it_is
 
 
 def test_presets_of_mixed_dimension_are_the_six_of_the_lecture():
-    assert len(ALL) - len(SOLID) == 6
-    for preset in presets.PRESETS:
-        if preset not in SOLID:
-            assert job.read(preset.path).shape == presets.shape(preset.name)
+    mixed = [preset for preset in presets.PRESETS if preset.group == "mixed_dimension"]
+    assert len(mixed) == 6
+    for preset in mixed:
+        assert job.read(preset.path).shape == presets.shape(preset.name)
+
+
+@pytest.mark.parametrize(
+    ("name", "area"),
+    [
+        ("ring_of_a_disc", 20 * pi),  # between circles of 4 and 6 m
+        ("gasket", 0.018 * (2 * (0.12 + 0.07) + 0.04 * pi)),  # its width times the edge's length, as no corner is sharp
+        ("growing_disc", None),
+    ],
+)
+def test_plane_region_is_flat_and_bounded(name, area):
+    mesh = presets.shape(f"plane_region_{name}").mesh()
+    assert np.ptp(mesh.vertices[:, 2]) == 0 and len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
+    assert job.read(presets.PATHS[f"plane_region_{name}"]).shape == presets.shape(f"plane_region_{name}")
+    assert area is None or mesh.area() == pytest.approx(area, rel=3e-3)
 
 
 @pytest.mark.parametrize("preset", presets.PRESETS, ids=ALL)

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Offset surfaces of mesh objects follow these, and refuse what is not closed."""
+"""Offset surfaces of mesh objects, and those of curves in their plane, follow these, and refuse what is not closed."""
+
+from math import pi
 
 import pytest
 
@@ -57,10 +59,65 @@ def test_the_active_mesh_is_offset_where_it_stands(scene):
     assert ob.matrix_world.translation[:] == pytest.approx((1, 2, 3))
 
 
-def test_nothing_is_offset_but_a_mesh(scene):
-    select(curve("POLY", [(0, 0, 0), (0, 0, 1)]))
+def test_nothing_is_offset_but_meshes_curves_and_texts(scene):
+    select(add("empty", None))
     with pytest.raises(RuntimeError, match="Select a closed mesh"):
         bpy.ops.object.sweep_offset_selected()
+
+
+SQUARE = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+
+
+def test_the_area_in_the_active_curve_is_offset_and_followed(scene):
+    """A square of 2 m: 4 of area, 8 round, and four quarters of a disc."""
+    square = curve("POLY", SQUARE)
+    square.data.splines[0].use_cyclic_u = True
+    select(square)
+    assert bpy.ops.object.sweep_offset_selected() == {"FINISHED"}
+    ob = bpy.context.active_object
+    assert ob.parent == square and objects.inputs(ob.data) == {"body": square}
+    group = ob.data.sweep.offset_surface
+    assert group.radius == pytest.approx(2 / 20)
+    group.tolerance = 1e-5
+    assert area(ob) == pytest.approx(4 + 8 * 0.1 + pi * 0.01, abs=1e-4)
+    group.side = "SHELL"
+    assert area(ob) == pytest.approx(2 * 8 * 0.1 + (pi - 4) * 0.01, abs=1e-4)
+    for point in square.data.splines[0].points:
+        point.co.x *= 2
+    square.data.update_tag()
+    bpy.context.view_layer.update()
+    assert area(ob) == pytest.approx(2 * 12 * 0.1 + (pi - 4) * 0.01, abs=1e-4)
+    assert "true arcs" in ob.data.sweep.told
+    group.side, group.radius = "INSIDE", 3.0
+    assert "must leave something of the area inside" in ob.data.sweep.error
+
+
+def area(ob):
+    return sum(polygon.area for polygon in ob.data.polygons)
+
+
+def test_an_open_curve_is_closed_by_a_straight_line_as_any_contour_is(scene):
+    select(curve("POLY", SQUARE))
+    assert bpy.ops.object.sweep_offset_selected() == {"FINISHED"}
+    assert area(bpy.context.active_object) == pytest.approx(4 + 8 * 0.1 + pi * 0.01, rel=1e-3)
+
+
+def test_the_contour_of_an_offset_becomes_a_curve_and_a_solid_does_not(scene):
+    ob = sw.to_object(sw.OffsetSurface(sw.contours.Rectangle(2.0, 1.0), 0.25, tolerance=1e-5))
+    before = area(ob)
+    select(ob)
+    assert bpy.ops.object.sweep_edit_as_curve(parameter="body") == {"FINISHED"}
+    assert ob.parent == objects.inputs(ob.data)["body"]
+    assert area(ob) == pytest.approx(before, rel=1e-5) and before == pytest.approx(2 + 1.5 + pi / 16, abs=1e-4)
+    solid = sw.to_object(sw.OffsetSurface())
+    select(solid)
+    with pytest.raises(RuntimeError, match="must be a contour to become a curve"):
+        bpy.ops.object.sweep_edit_as_curve(parameter="body")
+
+
+def test_an_offset_region_comes_back_as_it_was_given(scene):
+    shape = sw.OffsetSurface(sw.contours.Star(7, 0.5, 0.25), 0.125, "shell")
+    assert sw.from_object(sw.to_object(shape)) == shape
 
 
 def test_in_a_window_a_rough_offset_stands_until_the_true_one_is_made(scene, monkeypatch):

@@ -59,7 +59,10 @@ def test_added_shape_joins_the_mesh_that_is_edited(scene):
     assert cube.data.sweep.kind == "NONE"
 
 
-@pytest.mark.parametrize("name", tried(p.name for p in presets.PRESETS if p.group != "mixed_dimension"))
+OPEN = {"mixed_dimension", "plane_region"}
+
+
+@pytest.mark.parametrize("name", tried(p.name for p in presets.PRESETS if p.group not in OPEN))
 def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
     assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
     ob = bpy.context.active_object
@@ -74,6 +77,13 @@ def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
 def test_preset_of_mixed_dimension_says_of_what_it_is(scene, name):
     assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
     assert bpy.context.active_object.data.sweep.told.startswith("Parts: ")
+
+
+@pytest.mark.parametrize("name", [p.name for p in presets.PRESETS if p.group == "plane_region"])
+def test_preset_of_a_plane_region_is_flat_faces_that_look_up(scene, name):
+    assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
+    mesh = bpy.context.active_object.data
+    assert mesh.sweep.error == "" and all(polygon.normal.z > 0.999 for polygon in mesh.polygons)
 
 
 def test_straight_preset_follows_the_active_curve_if_that_is_selected_and_asked_for(scene):

@@ -63,11 +63,18 @@ def offset(contour, distance, both=False):
     distance = argument("distance", distance)
     require(distance, "must not be 0", distance, "distance")
     require(contour.section().closed, "must be closed", "an open one", "contour")
+    found = boundary(contour, (abs(distance), -abs(distance)) if both else (distance,))
+    require(found, "must leave something inside", distance, "distance")
+    return found
+
+
+def boundary(contour, amounts):
+    """The boundaries of a closed contour moved outwards by some amounts: an `Outline`, or None where none is left."""
     source = chained(contour)
-    amounts = (abs(distance), -abs(distance)) if both else (distance,)
     found = [exact(source, loop, amount) for amount in amounts for loop in moved(source, amount)]
     found = [(points, bulges) for points, bulges in found if len(points) > 1]
-    require(found, "must leave something inside", distance, "distance")
+    if not found:
+        return None
     loops, bulges = zip(*found, strict=True)
     return Outline(loops=loops, bulges=bulges)
 

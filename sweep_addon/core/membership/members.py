@@ -142,6 +142,11 @@ def canal(shape):
     return Meshed(body, lambda: MeshBody(shape.solid()))
 
 
+def offset(shape):
+    """What a ball visits around a solid; of a contour the flat region, its arcs as the mesh has them."""
+    return SheetBody(shape.mesh()) if shape.is_plane else OffsetBody(shape)
+
+
 def meshed(mesh):
     """What a mesh bounds, or the mesh itself where it is open."""
     return SheetBody(mesh) if len(mesh.boundary_edges()) else MeshBody(mesh)
@@ -153,7 +158,7 @@ KINDS = {
     RotationalSweep: planar(ways.of_rotation),
     PDCurveSweep: planar(ways.of_pd_curve),
     CanalSurface: canal,
-    OffsetSurface: OffsetBody,
+    OffsetSurface: offset,
     GeneralSweep: general,
     solids.Block: lambda block: prism(Rectangle(block.width, block.depth), block.height),
     solids.Cylinder: lambda rod: prism(Circle(rod.radius), rod.height),
