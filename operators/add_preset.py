@@ -4,18 +4,19 @@
 
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
-from bpy_extras.object_utils import AddObjectHelper, add_object_align_init, object_data_add
+from bpy_extras.object_utils import add_object_align_init, object_data_add
 
 from ..sweep_addon import presets
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.parameters import ShapeError
 from ..sweep_addon.core.shapes import SHAPES
 from ..sweep_addon.core.trajectories import Line
+from .add_shape import AddObject
 
 objects = later("bridge.objects")
 
 
-class MESH_OT_sweep_preset_add(Operator, AddObjectHelper):
+class MESH_OT_sweep_preset_add(Operator, AddObject):
     """Add a shape that is set up already; a straight one follows the active curve"""
 
     bl_idname = "mesh.sweep_preset_add"

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Add a shape: one operator for each, all made from the shapes' declarations."""
 
+from typing import get_type_hints
+
 from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
@@ -15,7 +17,14 @@ from ..sweep_addon.properties.sweep import update
 layout, objects = later("bridge.layout"), later("bridge.objects")
 
 
-class AddShape(AddObjectHelper):
+class AddObject:
+    """Where a new object stands, as Blender's own helper has it, whose properties are text: here they are made once"""
+
+    __annotations__ = get_type_hints(AddObjectHelper)
+    poll = AddObjectHelper.poll
+
+
+class AddShape(AddObject):
     """What the operators have in common; each names its shape"""
 
     bl_options = {"REGISTER", "UNDO", "PRESET"}

@@ -15,6 +15,8 @@ from ..sweep_addon.core.wording import summary
 
 objects = later("bridge.objects")
 
+OF_CURVES = [shape for shape in SWEPT if {"trajectory", "contour"}.intersection(p.name for p in parameters(shape))]
+
 
 class OBJECT_OT_sweep_selected(Operator):
     """Sweep the active curve, text or mesh along the other selected curve, or a circle along the only one"""
@@ -26,7 +28,7 @@ class OBJECT_OT_sweep_selected(Operator):
     shape: EnumProperty(
         name="Shape",
         description="What becomes of the selected objects",
-        items=[rna.item(shape, summary(shape)) for shape in SWEPT if objects.carrier(shape) != "body"],
+        items=[rna.item(shape, summary(shape)) for shape in OF_CURVES],
         default=spelled(GeneralizedCylinder, "_").upper(),
     )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from enum import EnumMeta
 from functools import cache, lru_cache
+from typing import get_origin
 
 import bpy
 import numpy as np
@@ -25,7 +26,8 @@ from ..core.wording import summary, titled
 texts = later("bridge.texts")
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
-WIDEST = (float(np.finfo(np.float32).max), 2**31 - 1)
+WIDEST = (3.4028234663852886e38, 2**31 - 1)  # of a float32, and of an int32
+LIMITS = {"min", "max", "soft_min", "soft_max"}
 ASIDE = (Grammar, Values)  # a group has a text and sliders for them, an operator hidden text
 SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 
@@ -89,29 +91,39 @@ def item_group(kind, update):
 
 def define(p, pointers, update):
     """The property of one parameter."""
-    common = {**told(p), "default": stored(p, p.shown if p.default is None else p.default), "update": update}
+    default = stored(p, p.shown if p.default is None else p.default)
+    common = {"name": label(p), "description": p.doc, "default": default, "update": update}
     if p.type in ASIDE:
         return bpy.props.StringProperty(options={"HIDDEN"}, **common)
-    if p.kinds or isinstance(p.type, EnumMeta):
-        items = [item(kind, summary(kind)) for kind in p.kinds]
-        items = items or [item(member, member.value) for member in p.type]
-        if pointers:
-            items.append(("OBJECT", "Object", "An object of the scene", 0))
-        return bpy.props.EnumProperty(items=items, **common)
-    if p.type in (bool, str) or p.is_list:
-        maker = bpy.props.BoolProperty if p.type is bool else bpy.props.StringProperty
-        return maker(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
-    widest = WIDEST[p.type is int]
-    # A slider stops at the limits. What is set beyond is not made to fit: it is refused in the value's own words.
-    lowest, highest = max(p.minimum, p.above, -widest), p.maximum if p.soft_maximum is None else p.soft_maximum
-    limits = {"min": lowest, "max": min(p.maximum + 1, widest)}
-    if p.above > p.minimum:
-        limits["soft_min"] = p.above + SMALLEST
+    if p.type is float or p.type is int or get_origin(p.type) is tuple and not p.is_list:
+        return number(p, common)
+    if p.type is bool:
+        return bpy.props.BoolProperty(**common)
+    if p.type is str or p.is_list:
+        return bpy.props.StringProperty(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
+    items = [item(kind, summary(kind)) for kind in p.kinds] or [item(member, member.value) for member in p.type]
+    if pointers:
+        items.append(("OBJECT", "Object", "An object of the scene", 0))
+    return bpy.props.EnumProperty(items=items, **common)
+
+
+def number(p, common):
+    """The property of a number, or of several.
+
+    A slider stops at the limits. What is set beyond is not made to fit: it is refused in the value's own words.
+    """
+    whole = p.type is int
+    widest, above = WIDEST[whole], p.above
+    lowest = max(p.minimum, above, -widest)
+    highest = p.maximum if p.soft_maximum is None else p.soft_maximum
+    common["min"], common["max"] = lowest, min(p.maximum + 1, widest)
+    if above > p.minimum:
+        common["soft_min"] = above + SMALLEST
     if highest < widest:
-        limits["soft_max"] = highest
-    if p.type is int:
-        return bpy.props.IntProperty(**common, **{key: int(value) for key, value in limits.items()})
-    common |= {**limits, "unit": UNITS[p.unit], "precision": 3, "step": 1 if p.unit == "length" else 10}
+        common["soft_max"] = highest
+    if whole:
+        return bpy.props.IntProperty(**common | {key: int(common[key]) for key in LIMITS.intersection(common)})
+    common |= {"unit": UNITS[p.unit], "precision": 3, "step": 1 if p.unit == "length" else 10}
     if p.type is float:
         return bpy.props.FloatProperty(**common)
     return bpy.props.FloatVectorProperty(size=len(p.default), subtype="XYZ", **common)

@@ -9,9 +9,9 @@ import numpy as np
 from .parameters import require
 
 TO_BEZIER = {  # the four Bezier points of a segment from the four rows that it is told by
-    "BEZIER": np.eye(4),
-    "HERMITE": np.array([[1, 0, 0, 0], [1, 1 / 3, 0, 0], [0, 0, 1, -1 / 3], [0, 0, 1, 0]]),
-    "B_SPLINE": np.array([[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]]) / 6,
+    "BEZIER": ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)),
+    "HERMITE": ((1, 0, 0, 0), (1, 1 / 3, 0, 0), (0, 0, 1, -1 / 3), (0, 0, 1, 0)),
+    "B_SPLINE": ((1 / 6, 4 / 6, 1 / 6, 0), (0, 4 / 6, 2 / 6, 0), (0, 2 / 6, 4 / 6, 0), (0, 1 / 6, 4 / 6, 1 / 6)),
 }
 STEP = {"BEZIER": 3, "HERMITE": 2, "B_SPLINE": 1}  # rows from the start of a segment to that of the next
 
@@ -36,4 +36,4 @@ class Basis(Enum):
         [0.0, 1.0, 1.0, 1.0]
         """
         first = np.arange(0, len(rows) - 3, STEP[self.name])
-        return TO_BEZIER[self.name] @ rows[first[:, None] + np.arange(4)]
+        return np.array(TO_BEZIER[self.name]) @ rows[first[:, None] + np.arange(4)]

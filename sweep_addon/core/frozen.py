@@ -119,9 +119,12 @@ def bound(cls, values, named):
     names = cls.__dataclass_fields__
     if len(values) > len(names):
         raise TypeError(f"{cls.__name__} takes at most {len(names)} values but got {len(values)}")
-    given = dict(zip(names, values, strict=False))
-    for name in named.keys() - names.keys():
+    if not named.keys() <= names.keys():
+        name = next(iter(named.keys() - names.keys()))
         raise TypeError(f"{cls.__name__} has no parameter {name!r}: it has {', '.join(names) or 'none'}")
+    if not values:
+        return named
+    given = dict(zip(names, values, strict=False))
     for name in named.keys() & given.keys():
         raise TypeError(f"{cls.__name__} got two values for {name!r}")
     return given | named

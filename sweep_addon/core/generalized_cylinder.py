@@ -4,7 +4,7 @@
 
 from dataclasses import replace
 from functools import lru_cache
-from math import tau
+from math import cos, radians, tau
 
 import numpy as np
 
@@ -41,7 +41,7 @@ volume_true = later("core.volume_true", "volume_true")
 
 ATTRIBUTES = "UVs and Attributes"
 ROUNDING = 1e-12  # of the trajectory's coordinates: rounding leaves nothing of a smaller contour
-CREASE = np.cos(np.radians(20))  # a mitre that turns more than this has an edge all round
+CREASE = cos(radians(20))  # a mitre that turns more than this has an edge all round
 
 
 @declared

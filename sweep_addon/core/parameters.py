@@ -194,8 +194,13 @@ def proven(cls, **given):
 @cache
 def parameters(cls):
     """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
-    found = (Parameter(f.name, f.type, f.default, **f.metadata) for f in fields(cls))
-    return tuple(changed(p, default=coerce(p, p.default)) for p in found)
+    return tuple(settled(Parameter(name=f.name, type=f.type, default=f.default, **f.metadata)) for f in fields(cls))
+
+
+def settled(p):
+    """A parameter with its default as it is kept, as most are declared; a test asks whether all are within limits."""
+    kept = type(p.default) is p.type or p.kinds and type(p.default) in p.kinds
+    return p if kept else changed(p, default=coerce(p, p.default))
 
 
 @cache

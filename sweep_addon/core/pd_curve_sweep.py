@@ -4,6 +4,7 @@
 
 from dataclasses import replace
 from functools import lru_cache
+from math import radians
 
 import numpy as np
 
@@ -37,7 +38,7 @@ AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle:
 SMOOTH = {Polyline: {"corner": "round"}}
 AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
 COARSE, FINEST = 1e-3, 1e-6  # of the contour: how far from the cut the edge of a cap may be where samples do not say
-CORNER = np.radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
+CORNER = radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
 
 
 @declared

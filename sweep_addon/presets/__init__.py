@@ -5,9 +5,9 @@
 Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.toml`` is ``screw_thread_m8``.
 """
 
+import os
 from functools import cached_property, lru_cache
 from itertools import groupby
-from os import walk
 from pathlib import Path
 
 from ..core.frozen import frozen
@@ -25,9 +25,13 @@ FOLDER = Path(__file__).parent
 class Preset:
     """A job file, whose first line is a comment that says what the shape is."""
 
-    path: Path
+    file: str  # below this folder: there are dozens, and starting Blender asks for no path
     group: str  # the folder that it is in, whose presets are offered together; none for most
     name: str
+
+    @cached_property
+    def path(self):
+        return FOLDER / self.file
 
     @cached_property
     def doc(self):
@@ -46,20 +50,22 @@ def title(name):
 
 def found():
     """The presets in the order in which they are offered."""
-    folders = ((Path(path).relative_to(FOLDER).parts, files) for path, _, files in walk(FOLDER))
-    parts = ((*groups, file) for groups, files in folders for file in files if file.endswith(".toml"))
-    for *groups, file in sorted(parts, key=counted):
-        yield Preset(FOLDER.joinpath(*groups, file), "".join(groups), "_".join((*groups, file.removesuffix(".toml"))))
+    folder = str(FOLDER)
+    found = ((path[len(folder) + 1 :], file) for path, _, files in os.walk(folder) for file in files)
+    for parts in sorted((part for part in found if part[1].endswith(".toml")), key=counted):
+        group, file = parts
+        name = file.removesuffix(".toml")
+        yield Preset(os.path.join(*parts), group, f"{group}_{name}" if group else name)
 
 
 def counted(parts):
     """The parts of a path to sort it by, numbers as numbers: m3 comes before m10."""
-    words = ((number, "".join(word)) for number, word in groupby("/".join(parts), str.isdigit))
+    words = ((number, "".join(word)) for number, word in groupby("/".join(filter(None, parts)), str.isdigit))
     return [(number, int(word) if number else word) for number, word in words]
 
 
 PRESETS = tuple(found())
-PATHS = {preset.name: preset.path for preset in PRESETS}
+BY_NAME = {preset.name: preset for preset in PRESETS}
 
 
 @lru_cache
@@ -70,7 +76,7 @@ def shape(name):
     'Helix'
     """
     with at("preset"):
-        path = pick(PATHS, name)
-    table = tables(path.read_bytes())
+        preset = pick(BY_NAME, name)
+    table = tables(preset.path.read_bytes())
     table.pop("render", None)  # how its picture is made is a question for `batch`
     return shape_of((*SHAPES, *csg.NODES), table)

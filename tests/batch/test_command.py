@@ -209,7 +209,7 @@ def test_models_hold_the_shape(scene, job, capfd):
 def test_models_hold_loose_edges_and_points(scene, tmp_path, capfd):
     """Of an area, a dangling edge and two points turned in part: 42 edges of the one, the other where it was."""
     job = tmp_path / "mixed.toml"
-    job.write_bytes(presets.PATHS["mixed_dimension_every_dimension"].read_bytes())
+    job.write_bytes(presets.BY_NAME["mixed_dimension_every_dimension"].path.read_bytes())
     *_, document = glb_bounds(built(job, ".glb", capfd))
     primitives = {each.get("mode", 4): each for mesh in document["meshes"] for each in mesh["primitives"]}
     lines, points = primitives[1]["indices"], primitives[0]["attributes"]["POSITION"]

@@ -18,7 +18,7 @@ UNION = 0.9 + 0.42 - 0.7 * (0.6 - 0.5 + 0.4 / 3)  # m3: both prisms, less the in
 @pytest.fixture
 def job(tmp_path):
     path = tmp_path / "roofs.toml"
-    path.write_bytes(presets.PATHS[ROOFS].read_bytes())
+    path.write_bytes(presets.BY_NAME[ROOFS].path.read_bytes())
     return path
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from sweep_addon.core.later import later
 from sweep_addon.core.laws import Constant, Formula
-from sweep_addon.core.parameters import inside, parameters
+from sweep_addon.core.parameters import coerce, inside, parameters
 from sweep_addon.core.shapes import SHAPES
 
 LIBRARY = Path(__file__).resolve().parents[2] / "sweep_addon"
@@ -123,3 +123,21 @@ def test_the_formula_of_a_constant_is_one_though_it_is_not_checked(number):
     said = Formula.like(Constant(number))
     assert Formula(said.text) == said
     assert said.evaluate(u=0.0, t=0.0, s=0.0) == pytest.approx(number, rel=1e-5)
+
+
+def every(declared):
+    """Some parameters, and those of all kinds that they may be of."""
+    for p in declared:
+        yield p
+        yield from every(parameters(p.item)) if p.item else ()
+        for kind in p.kinds:
+            yield from every(inside(p, kind))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_every_default_is_within_its_limits_and_of_its_type(shape):
+    found = list(every(parameters(shape)))
+    assert found
+    for p in found:
+        kept = coerce(p, p.default)
+        assert (p.name, kept, type(kept)) == (p.name, p.default, type(p.default))

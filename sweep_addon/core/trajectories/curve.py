@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A trajectory: a curve with a parameter u, evaluated for many u at once."""
 
+from math import cos, radians
+
 import numpy as np
 
 from ..later import later
@@ -11,7 +13,7 @@ from ..vectors import norms, unit
 arc_length = later("core.trajectories.arc_length", "arc_length")
 
 SAME_DIRECTION = 1e-6  # radians: tangents closer than this meet smoothly, a corner of a micrometre in a metre
-SHARPEST = np.cos(np.radians(179.99))  # a sharper turn is a reversal: its mitre would be 10,000 contours long
+SHARPEST = cos(radians(179.99))  # a sharper turn is a reversal: its mitre would be 10,000 contours long
 NONE = Array(())
 
 
