@@ -78,7 +78,7 @@ def whole(value, most, key):
 
 def strategy(tables):
     """Which of the ways suits a system."""
-    if tables.queries or tables.variables:
+    if tables.queries or tables.variables or tables.nested:
         return "in order"
     if doubling.suits(tables):
         return "doubling"
@@ -118,7 +118,8 @@ def states(tables, generations, seed, meter, environment=None):
         moment = generation * LEVELS
         state.variables = executed(tables.system, "start_each", state.variables, generation, moment, seed)
         rules = tables.of_step(generation)
-        state, _ = step(state, tables, rules, moment, generation, meter)
+        systems = tables.systems if tables.nested else None
+        state, _ = step(state, tables, rules, moment, generation, meter, systems=systems)
         state = decomposed(state, tables, generation, meter)
         for block in ("end_each", "end")[: 2 if generation == generations else 1]:
             state.variables = executed(tables.system, block, state.variables, generation, moment, seed)

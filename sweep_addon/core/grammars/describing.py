@@ -26,7 +26,7 @@ def kind(system):
     >>> kind(LSystem.parse("axiom: A(1)A(2)\\nA(x) < A(y) : y > x -> A(y/2)"))
     'parametric 1L-system with conditions'
     """
-    rules = [*system.productions, *(rule for _, group in system.groups for rule in group)]
+    rules = [*system.productions, *(rule for _, group in (*system.groups, *system.systems) for rule in group)]
     sides = max((bool(rule.left) + bool(rule.right) for rule in rules), default=0)
     several = any(len(rule.left) > 1 or len(rule.right) > 1 for rule in rules)
     context = "(k,l)" if several else f"{sides}L" if sides else "0L"
@@ -69,12 +69,18 @@ def described(system, generations=None):
         said = f"{sized(limits[0])} to {sized(limits[1])} modules" if limits else "not foretold"
         size = f"{said} after {generations} generations"
     asks = ", ".join(dict.fromkeys(name for name, _ in tables.queries.values()))
-    every = system.productions, *(group for _, group in system.groups), system.decomposition, system.homomorphism
+    every = (
+        system.productions,
+        *(group for _, group in (*system.groups, *system.systems)),
+        system.decomposition,
+        system.homomorphism,
+    )
     return [
         f"class: {kind(system)}",
         f"productions: {sum(map(len, every))}",
         f"derived: {WAYS[strategy(tables)]}",
         f"size: {size}",
+        *([f"sub-systems: {', '.join(str(number) for number, _ in system.systems)}"] if system.systems else []),
         *([f"asks: {asks}, which a turtle fills in after each step"] if asks else []),
         *(f"constant: {constant.name} = {constant.value:.9g}" for constant in system.constants),
     ]

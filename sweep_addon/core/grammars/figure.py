@@ -92,6 +92,7 @@ class Figure:
         """(k,) float array: the diameter at modules of the word."""
         sets = self.walk.chosen("!", given=True)
         found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times, place)
+        found = found if self.walk.scale is None else found * self.walk.scale[place]
         if not self.walk.numbers(WIDTH):
             return found
         last = self.walk.branches.before(place, sets)

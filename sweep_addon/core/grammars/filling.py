@@ -108,6 +108,7 @@ def organs(walk, end):
     places = tildes[tildes + 1 < len(walk.symbols)] + 1
     names = np.array([name for name, _ in walk.word.tables.symbols], dtype=object)[walk.symbols[places]]
     at, scale = position(walk, places, end), np.broadcast_to(walk.parameter(places, 1.0), places.shape)
+    scale = scale if walk.scale is None else scale * walk.scale[places]
     return tuple(
         Organ(name, places[names == name], at[names == name], scale[names == name]) for name in dict.fromkeys(names)
     )

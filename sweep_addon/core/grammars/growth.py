@@ -56,7 +56,7 @@ def bounds(tables, generations):
     >>> bounds(LSystem.parse("axiom: F\\nF -(0.5)-> FF\\nF -(0.5)-> FFF").compiled, 4)
     (16, 81)
     """
-    if tables.decomposition or tables.cut is not None:
+    if tables.decomposition or tables.cut is not None or tables.nested:
         return None
     found = [grown(tables, generations, which) for which in (at_least, at_most)]
     if not all(sizes and len(sizes) > generations for sizes in found):
@@ -113,7 +113,7 @@ def certain(tables):
     """Whether every module is replaced wherever it is, by its first production."""
     every = (tables.common, *tables.groups.values())
     plain = all(choices[0].certain for rules in every for choices in rules.choices.values())
-    return plain and not tables.decomposition and tables.cut is None
+    return plain and not tables.decomposition and tables.cut is None and not tables.nested
 
 
 def after(counts, group, growth):

@@ -25,6 +25,8 @@ class LSystem:
         Those of every step.
     groups : tuple of (int, tuple of Production)
         Further ones by the numbers of their groups: a step tries those of its group first.
+    systems : tuple of (int, tuple of Production)
+        Those of sub-systems, by their numbers: of what stands between ``?(number, scale)`` and ``$``.
     schedule : tuple of (tuple of int, bool) or None
         Which group each step uses, and whether the list begins again at its end; without it, group n holds from step n
         on until the next.
@@ -63,6 +65,7 @@ class LSystem:
     axiom: tuple[Module, ...]
     productions: tuple[Production, ...] = ()
     groups: tuple = ()
+    systems: tuple = ()
     schedule: tuple | None = None
     decomposition: tuple[Production, ...] = ()
     decomposition_depth: int | None = None

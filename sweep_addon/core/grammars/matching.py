@@ -49,13 +49,15 @@ class Site:
         return even(self.state.keys[self.rows[0][part]], self.moment, draw)
 
 
-def taken(state, rules, moment, links, check):
+def taken(state, rules, among, moment, links, check):
     """The productions that modules of a word take.
 
     Parameters
     ----------
     state : State
     rules : Rules
+    among : (n,) bool array or None
+        Which modules they replace; None for all of them.
     moment : int
     links : Neighbours or None
         Of the word, where a production has a context.
@@ -70,6 +72,7 @@ def taken(state, rules, moment, links, check):
     """
     for symbol, places in parted(state.symbols, rules.choices):
         waiting = places if state.fresh is None else places[state.fresh[places]]
+        waiting = waiting if among is None else waiting[among[waiting]]
         yield from tried(state, waiting, [(choice, False) for choice in rules.choices[symbol]], moment, links, check)
 
 

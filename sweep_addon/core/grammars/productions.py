@@ -217,6 +217,8 @@ def strict_predecessor(passage, alphabet):
         passage.refuse(f"one module to be replaced{hint}", 0, several)
     if patterns[0].name in (OPEN, CLOSE):
         passage.refuse("a module to be replaced, for brackets stay")
+    if patterns[0].name == "?" and patterns[0].parameters:
+        passage.refuse("a module to be replaced, for what begins a sub-system stays")
     return patterns[0]
 
 

@@ -26,7 +26,8 @@ MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
 BLOCK = re.compile(r"\s*((?:start|end)(?: each)?)\s*:", re.IGNORECASE)
 SECTION = re.compile(
-    r"\s*(axiom|ω|productions|group\s+\d{1,6}|decomposition|homomorphism|maximum\s+depth)\s*:", re.IGNORECASE
+    r"\s*(axiom|ω|productions|(?:group|lsystem)\s+\d{1,6}|decomposition|homomorphism|maximum\s+depth)\s*:",
+    re.IGNORECASE,
 )
 
 
@@ -191,9 +192,12 @@ class Reader:
         kinds = {section: [] for section, _ in self.rules}
         for section, rule in self.rules:
             kinds[section].append(rule)
-        groups = sorted((number, tuple(rules)) for (kind, number), rules in kinds.items() if kind == "group")
+        groups, systems = (
+            tuple(sorted((number, tuple(rules)) for (kind, number), rules in kinds.items() if kind == word))
+            for word in ("group", "lsystem")
+        )
         named = {kind: tuple(kinds.get((kind, 0), ())) for kind in ("productions", "decomposition", "homomorphism")}
-        return named | {"groups": tuple(groups)}
+        return named | {"groups": groups, "systems": systems}
 
 
 def blocked(passage):

@@ -14,6 +14,7 @@ from ..expressions import DRAW
 from .draws import even, mixed
 from .matching import finite, taken
 from .neighbours import Neighbours, removed
+from .subsystems import Regions
 
 
 class State:
@@ -62,7 +63,7 @@ def first(tables, key, variables=None):
     return state
 
 
-def step(state, tables, rules, moment, birth, meter, cutting=True):
+def step(state, tables, rules, moment, birth, meter, cutting=True, systems=None):
     """The word after a step.
 
     Parameters
@@ -78,6 +79,8 @@ def step(state, tables, rules, moment, birth, meter, cutting=True):
         Asked before modules are made, and while they are looked at.
     cutting : bool
         Whether cuts act.
+    systems : dict of int to Rules, optional
+        The productions of sub-systems, where words may have them.
 
     Returns
     -------
@@ -86,13 +89,14 @@ def step(state, tables, rules, moment, birth, meter, cutting=True):
         Whether any module was replaced.
     """
     kind = tables.kind[state.symbols]
-    links = Neighbours(kind) if rules.context else None
+    shares = [(rules, None)] if systems is None else [*Regions(tables, state).shares(systems, rules)]
+    links = Neighbours(kind) if any(those.context for those, _ in shares) else None
     cuts = np.flatnonzero(state.symbols == tables.cut) if cutting and tables.cut is not None else ()
     gone = removed(kind, cuts) if len(cuts) else None
 
     replaced = []
     sizes = np.ones(len(state), dtype=np.intp)
-    for template, site in taken(state, rules, moment, links, meter.check):
+    for template, site in (each for share in shares for each in taken(state, *share, moment, links, meter.check)):
         if gone is not None:
             site = site.keep(np.flatnonzero(~gone[site.rows[0]]))
         sizes[site.rows[0]] = len(template.symbols)

@@ -30,6 +30,10 @@ class Tables:
         Productions of every step, and of the other sections.
     groups : dict of int to Rules
         Those of each group.
+    systems : dict of int to Rules
+        Those of each sub-system.
+    nested : bool
+        Whether words may have sub-systems.
     lives : set of int
         Modules that a production of some step replaces.
     kind : (s + 1,) uint8 array
@@ -55,13 +59,14 @@ class Tables:
             system.productions,
             system.decomposition,
             system.homomorphism,
-            *(rules for _, rules in system.groups),
+            *(rules for _, rules in (*system.groups, *system.systems)),
         ]
         self.axiom = Template(system.axiom, self)
         for rule in (rule for section in sections for rule in section):
             for module in (rule.predecessor, *rule.successor, *rule.left, *rule.right):
                 self.number(module)
         self.groups = {number: Rules(rules, self) for number, rules in system.groups}
+        self.systems = {number: Rules(rules, self) for number, rules in system.systems}
         self.common = Rules(system.productions, self)
         self.begun = sorted(self.groups)
         self.both = lru_cache(maxsize=RECENT)(lambda number: Both(self.groups[number], self.common))
@@ -75,7 +80,8 @@ class Tables:
         self.variables = names(system)
         asking = (*QUERIES, ENVIRONMENT)
         self.queries = {number: told for number, told in enumerate(self.symbols) if told[0] in asking and told[1]}
-        every = (self.common, self.decomposition, self.homomorphism, *self.groups.values())
+        self.nested = any(name == "?" and count for name, count in self.symbols)
+        every = (self.common, self.decomposition, self.homomorphism, *self.groups.values(), *self.systems.values())
         self.random = self.axiom.random or any(rules.random for rules in every)
         self.longest = max([len(self.axiom.symbols), *(rules.longest for rules in every)])
 

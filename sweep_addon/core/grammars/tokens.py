@@ -29,6 +29,8 @@ class Tokens:
         kinds[walk.numbers(*LEVELS)] = LEVEL
         kinds[walk.moving[: len(kinds)]] = MOVE
         self.kind = walk.looked_up(kinds)
+        if walk.regions:
+            self.kind = np.where(walk.regions.closing, 0, self.kind).astype(np.uint8)
         chosen = self.kind > 0
         places = np.flatnonzero(chosen)
         kind = self.kind[places]

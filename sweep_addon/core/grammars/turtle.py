@@ -19,6 +19,7 @@ from .figure import Figure
 from .modules import CLOSE, OPEN
 from .plane import Plane
 from .scaling import ANGLE, LENGTH, scaled
+from .subsystems import ENDS, Regions
 from .tokens import LEVELS, SPATIAL, TURNS, Tokens
 from .word import Word
 
@@ -64,7 +65,10 @@ class Walk:
         if self.cylinders:
             self.shown = self.shown & ~self.cylinders.hidden | self.cylinders.bends
         self.is_drawn = self.shown[self.moves]
-        turning = any(self.named.get(name) for name in SPATIAL)
+        nested = self.word.tables.nested
+        self.regions = Regions(self.word.tables, self.word.state) if nested else None
+        self.scale = self.regions.scales() if nested else None
+        turning = any(self.named.get(name) for name in SPATIAL if not (nested and name == ENDS))
         self.spatial = turning or self.system.tropism is not None
         along = self.system.heading if upright is None else "z" if upright else "x"
         self.along = along or ("z" if self.spatial and self.named.get(OPEN) else "x")
@@ -108,6 +112,8 @@ class Walk:
         """The figure that is drawn."""
         first = self.branches.first(self.is_moving)
         length = self.parameter(self.moves, self.system.step * scaled(self, LENGTH, self.moves))
+        if self.regions:
+            length = length * self.scale[self.moves]
         if self.stops:
             length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
         if not self.spatial and self.along != "z":

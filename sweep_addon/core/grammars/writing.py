@@ -18,7 +18,12 @@ def written(system):
     -------
     str
     """
-    every = (system.productions, system.decomposition, system.homomorphism, *(rules for _, rules in system.groups))
+    every = (
+        system.productions,
+        system.decomposition,
+        system.homomorphism,
+        *(rules for _, rules in (*system.groups, *system.systems)),
+    )
     for rule in (rule for rules in every for rule in rules):
         functions = [p for module in rule.successor for p in module.parameters if not hasattr(p, "evaluate")]
         require(not functions, "has no text where a successor is a Python function", rule.predecessor, "productions")
@@ -60,6 +65,9 @@ def sections(system):
     yield from map(str, system.productions)
     for number, rules in system.groups:
         yield f"group {number}:"
+        yield from map(str, rules)
+    for number, rules in system.systems:
+        yield f"lsystem {number}:"
         yield from map(str, rules)
     for section in ("decomposition", "homomorphism"):
         rules, depth = getattr(system, section), getattr(system, f"{section}_depth")

@@ -14,6 +14,7 @@ from ..modules import ENVIRONMENT, QUERIES
 from ..passages import Passage, PassageError, shown
 from ..productions import around
 from ..statements import assigned
+from ..subsystems import BEGINS
 from .local import Locals, parted
 from .pasting import DEFINED, Pasting, joined, uncommented
 from .words import last_outside, modules, outside, unknown
@@ -45,7 +46,7 @@ PATTERN = re.compile(
 SHOWN = re.compile(rf"\s*(?:{VIEW.replace(' ', chr(92) + 's*')})\s*:.*", re.IGNORECASE)
 NOTHING = re.compile(rf"\s*(?:{'|'.join(ZERO)})\s*:\s*0*\.?0*\s*|\s*color increment\s*:\s*1\s*", re.IGNORECASE)
 NAMES = re.compile(r"@G[scet]|@[!-~]|\?[A-Z]|[!-~]")
-SAME = frozenset("Ff+-&^\\/|[]{}.%~G")
+SAME = frozenset("Ff+-&^\\/|[]{}.%~G$")
 RENAMED = {";": "'", ",": "'", "!": "!", "#": "!"}
 KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "@Gt", "?P", "?H", "?L", "?U", "?E")
 ORGANS = {"@O": "sphere", "@o": "circle", "@c": "circle"}  # of the diameter that they say
@@ -72,7 +73,7 @@ class Reader:
 
     def __init__(self):
         self.pasting, self.depths, self.organs, self.section = Pasting(), {}, {}, ""
-        self.queries, self.variables = False, {}
+        self.queries, self.variables, self.systems = False, {}, 0
 
     def line(self, line, source):
         """A line in the notation of the book."""
@@ -97,11 +98,20 @@ class Reader:
 
     def block(self, match, source):
         """A line of statements, which give variables of the whole derivation their values."""
+        if self.systems > 1:
+            source.refuse("productions of the sub-system alone", 0, shown(source.text))
         told = Passage(match[3], source.number)
         self.variables |= dict.fromkeys(name for name, _ in assigned(told))
         return f"{match[1].lower()}{' each' if match[2] else ''}: {told.text.strip('{}')}"
 
     def keyword(self, word, rest, source):
+        if word == "lsystem":
+            self.systems += 1
+            return f"lsystem {rest.text}:" if self.systems > 1 else ""
+        if self.systems > 1 and word not in ("endlsystem", "axiom", "derivation length", "derivationlength"):
+            source.refuse("productions of the sub-system alone", 0, shown(source.text))
+        if self.systems > 1 and word != "endlsystem":
+            return ""  # of the first system alone
         word = {"derivationlength": "derivation length", "maximumdepth": "maximum depth"}.get(word, word)
         if word in ("decomposition", "homomorphism"):
             self.section, self.depths[word] = word, GRANTED
@@ -174,6 +184,8 @@ class Reader:
             return f"~{said.told(ORGANS[name])}"
         if name in RENAMED:
             return said.told(RENAMED[name])
+        if name == BEGINS and said.parameters:
+            return said.told()
         if name not in SAME and name not in KNOWN and not name.isalnum() or name == MOVES:
             unknown(passage, said)
         return said.told()
