@@ -10,6 +10,7 @@ from ..sweep_addon.core.later import later
 
 objects, texts = later("bridge.objects"), later("bridge.texts")
 
+ABOVE = 8  # lines that stay in sight above one that is gone to
 SHARE = 0.4  # of the view's width, that a text editor takes where there is none
 
 
@@ -49,7 +50,8 @@ class OBJECT_OT_sweep_grammar_edit(OnGrammar, Operator):
             return {"FINISHED"}
         space = area.spaces.active
         space.text, space.show_line_numbers, space.show_syntax_highlight = held, True, False
-        space.top = max(held.current_line_index - space.visible_lines // 2, 0)
+        if self.line:
+            space.top = max(self.line - ABOVE, 0)
         area.tag_redraw()
         return {"FINISHED"}
 

@@ -10,11 +10,10 @@ from ..sweep_addon.core.parameters import spelled
 from ..sweep_addon.core.plant import Plant
 from ..sweep_addon.core.shapes import SWEEPS, SWEPT
 from ..sweep_addon.core.wording import titled
-from ..sweep_addon.presets import PRESETS, title
+from ..sweep_addon.presets import GROWN, PRESETS, title
 from . import previews
 
 GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
-GROWN = "l_system"  # the presets that a menu of their own has, beside that of sweeps
 COLUMNS = 20  # presets one below the other
 
 
@@ -69,7 +68,7 @@ class VIEW3D_MT_sweep_l_system_add(Menu):
         for first in range(0, len(presets), COLUMNS):
             column = row.column()
             for preset in presets[first : first + COLUMNS]:
-                draw_preset(column, preset, title(preset.path.stem))
+                draw_preset(column, preset, preset.title)
 
 
 def draw_preset(layout, preset, text):

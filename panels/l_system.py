@@ -3,8 +3,9 @@
 """What the sidebar shows of an L-system beside its parameters: its text, what is wrong in it, and its constants."""
 
 from ..sweep_addon.core.later import later
+from ..sweep_addon.core.parameters import ShapeError
 
-growing = later("core.growing")
+growing, objects, texts = later("core.growing"), later("bridge.objects"), later("bridge.texts")
 
 MOST_PROBLEMS = 6  # that are shown; one is mended at a time
 UNITS = {"angle": " (deg)"}
@@ -35,10 +36,17 @@ def draw_text(layout, group, say):
         say(layout, f"There are {len(found) - MOST_PROBLEMS} more.", "BLANK1")
 
 
+def draw_size(layout, mesh, say):
+    """How large the word will be, which is known before it is derived."""
+    try:
+        say(layout, growing.size(objects.shapes(mesh)[0]), "BLANK1")
+    except ShapeError:
+        pass  # why is told already
+
+
 def draw_constants(layout, group):
     """A slider for each constant, and the values of those that follow from others."""
-    free = {} if problems(group) else growing.free(group.system)
-    if not free:
+    if problems(group) or not growing.read(group.system).constants:
         return
     header, body = layout.panel("sweep_constants")
     header.label(text="Constants")
@@ -46,6 +54,13 @@ def draw_constants(layout, group):
     if body is None:
         return
     column = body.column(align=True)
-    for name, constant in free.items():
-        if name in group.constants:
-            column.prop(group.constants, f'["{name}"]', text=name + UNITS.get(constant.unit, ""))
+    column.use_property_split = column.use_property_decorate = True
+    for constant in texts.system(group).constants:
+        name = constant.name + UNITS.get(constant.unit, "")
+        if constant.name in group.constants:
+            column.prop(group.constants, f'["{constant.name}"]', text=name, slider=constant.low is not None)
+        else:
+            row = column.split(factor=0.4)
+            row.alignment = "RIGHT"
+            row.label(text=name)
+            row.label(text=f"{constant.value:.6g}")

@@ -92,7 +92,9 @@ def draw_sweep(layout, context, mesh, say):
     counted = "segments" if grown else "contours"
     column.label(text=f"{sweep.rings:,} {counted}, {len(mesh.polygons):,} faces", icon="BLANK1")
     if grown:
+        l_system.draw_size(column, mesh, say)
         l_system.draw_text(layout, group, say)
+        l_system.draw_constants(layout, group)
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = True
@@ -103,9 +105,7 @@ def draw_sweep(layout, context, mesh, say):
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
     if frames and hasattr(shape, "frames"):
         frames.prop(context.window_manager, "sweep_show_frames")
-    if grown:
-        l_system.draw_constants(layout, group)
-    else:
+    if not grown:
         draw_self_intersections(layout, sweep, say)
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)

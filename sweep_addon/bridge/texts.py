@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from ..core import growing
-from ..core.grammar_text import Grammar
+from ..core.grammar_text import Grammar, Values
 from ..core.parameters import ShapeError
 from ..core.plant import SAID
 from . import rna
@@ -29,6 +29,14 @@ def meant(value):
     return float(str(np.float32(value))) if np.float32(value) == value else float(value)
 
 
+def system(group):
+    """The system of a group's grammar, with the values that its constants have there if it can have these."""
+    try:
+        return growing.read(group.system, Values(dict(numbers(group.constants))))
+    except ShapeError:
+        return growing.read(group.system)
+
+
 def hold(group, text):
     """Put the text of a grammar into a mesh's parameters, and into a text of the file for people to edit."""
     group.system = group.system_understood = text
@@ -36,6 +44,7 @@ def hold(group, text):
     if held is None or held.as_string() != text:
         held = bpy.data.texts.new(group.id_data.name)
         held.from_string(text)
+        held.cursor_set(0)
         held.use_fake_user = False  # it goes with the last mesh that is made of it
         group.system_text = held
 

@@ -5,12 +5,20 @@
 from dataclasses import replace
 from functools import lru_cache
 
+import numpy as np
+
 from .grammar_text import Values
 from .grammars import Budget, GrammarError, LSystem
-from .grammars.tubes import mesh as drawn
+from .grammars.budget import sized
+from .grammars.growth import bounds, foretold
+from .grammars.tubes import mesh as meshed
 from .grammars.turtle import Walk
+from .parameters import ShapeError
 
 NONE = Values()
+QUICK, MOMENT = 400_000, 0.5  # modules, and seconds, up to which a word is derived while somebody waits
+BYTES = 50  # of a module of a word, as many as the default budget allows
+DERIVED, DRAWN = 0.5, 0.7  # parts of the work
 
 
 @lru_cache(maxsize=64)
@@ -47,21 +55,80 @@ def system(plant):
     return replace(found, **own) if any(getattr(found, name) != value for name, value in own.items()) else found
 
 
-@lru_cache(maxsize=1)
-def word(text, constants, generations, seed, budget):
-    """The word of a system, for which its numbers alone count that are about modules."""
-    return read(text, constants).derive(generations, seed, Budget(modules=budget))
+def takes_long(plant):
+    """Whether the word of a plant is too long to be derived while somebody drags a slider."""
+    tables = read(plant.system, plant.constants).compiled
+    sizes = foretold(tables, plant.generations)
+    if sizes:
+        return QUICK < max(sizes) <= plant.budget
+    limits = bounds(tables, plant.generations)
+    if limits and limits[0] > plant.budget:
+        return False  # it is refused at once
+    return quick(*asked(plant)) is None
+
+
+def asked(plant):
+    """What the word of a plant hangs on."""
+    return plant.system, plant.constants, plant.generations, plant.seed, plant.budget
+
+
+@lru_cache(maxsize=2)
+def quick(text, constants, generations, seed, budget):
+    """The word of a text, which is kept for further meshes of it; None where it is long.
+
+    What its system says of angles, lengths and widths does not count for it.
+    """
+    try:
+        return read(text, constants).derive(generations, seed, Budget(min(budget, QUICK), seconds=MOMENT))
+    except ShapeError as refusal:
+        if refusal.key != "generations" or budget <= QUICK:
+            raise
+        return None
 
 
 @lru_cache(maxsize=1)
 def figure(text, constants, generations, seed, budget, system, upright):
-    """What the turtle of a system draws of the word of a text."""
-    told = word(text, constants, generations, seed, budget).interpreted(Budget(modules=budget))
-    return Walk(told, upright, system).figure()
+    """What the turtle of a system draws of a word that is not long."""
+    return drawn(quick(text, constants, generations, seed, budget), budget, system, upright)
+
+
+def drawn(word, budget, system, upright):
+    """What the turtle of a system draws of a word."""
+    return Walk(word.interpreted(Budget(budget)), upright, system).figure()
 
 
 def mesh(plant, dtype):
     """The mesh of a plant; `Plant.mesh` says of what."""
-    asked = plant.system, plant.constants, plant.generations, plant.seed, plant.budget
-    found = figure(*asked, system(plant), plant.upright.upright)
-    return drawn(found, getattr(plant.output, "sides", 0), plant.texture, plant.attributes, dtype)
+    if takes_long(plant) or quick(*asked(plant)) is None:
+        return made(plant, lambda part: None, dtype)
+    return skinned(figure(*asked(plant), system(plant), plant.upright.upright), plant, dtype)
+
+
+def made(plant, progress, dtype=np.float64):
+    """The mesh of a plant that takes long, told of as far as it is."""
+    found = read(plant.system, plant.constants)
+    budget = Budget(plant.budget, BYTES * plant.budget)
+    word = found.derive(plant.generations, plant.seed, budget, lambda part: progress(DERIVED * part))
+    shown = drawn(word, plant.budget, system(plant), plant.upright.upright)
+    progress(DRAWN)
+    skin = skinned(shown, plant, dtype)
+    progress(1.0)
+    return skin
+
+
+def skinned(figure, plant, dtype):
+    """The mesh of a figure as a plant asks for it."""
+    return meshed(figure, getattr(plant.output, "sides", 0), plant.texture, plant.attributes, dtype)
+
+
+def size(plant):
+    """How many modules the word of a plant will have, before anything is derived: a sentence."""
+    tables = read(plant.system, plant.constants).compiled
+    here, more = plant.generations, plant.generations + 1
+    found = foretold(tables, more)
+    if found and len(found) > more:
+        return f"{sized(found[here])} modules; one step more makes {sized(found[more])}"
+    limits = bounds(tables, here)
+    if limits:
+        return f"{sized(limits[0])} to {sized(limits[1])} modules"
+    return "How many modules there will be hangs on what happens"

@@ -22,7 +22,7 @@ TEXT = """# After Honda 1971: The Algorithmic Beauty of Plants, figure 2.6 a
 #define d 137.5      # 0 .. 360 deg round the stem from branch to branch
 #define wr 0.707     # 0.5 .. 1 how much thinner all goes on
 #generations 10
-axiom: A(0.4, 0.04)
+axiom: A(0.6, 0.06)
 A(l, w) -> !(w) F(l) [&(a0) B(l*r2, w*wr)] /(d) A(l*r1, w*wr)
 B(l, w) -> !(w) F(l) [-(a2) $ C(l*r2, w*wr)] C(l*r1, w*wr)
 C(l, w) -> !(w) F(l) [+(a2) $ B(l*r2, w*wr)] B(l*r1, w*wr)
@@ -144,3 +144,32 @@ class Plant:
         (0, 9)
         """
         return growing.mesh(self, dtype)
+
+    @property
+    def make_solid(self):
+        """Whether the mesh takes so long that in a window the last one stays until it is made."""
+        return growing.takes_long(self)
+
+    def surface(self, dtype=np.float64):
+        """Nothing: a figure of fewer steps would be another one."""
+
+    def solid(self, progress=None):
+        """The mesh, and how far it is.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Is told which part is done, from 0 to 1; what it raises ends the work.
+
+        Returns
+        -------
+        Mesh
+
+        Examples
+        --------
+        >>> parts = []
+        >>> mesh = Plant().solid(parts.append)
+        >>> len(mesh.vertices) > 0, parts == sorted(parts), parts[-1]
+        (True, True, 1.0)
+        """
+        return growing.made(self, progress or (lambda part: None))

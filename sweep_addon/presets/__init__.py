@@ -19,6 +19,7 @@ csg = later("core.csg")
 shape_of, tables = later("core.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
+GROWN = "l_system"  # the folder of presets that are grammars, each a thing of its own
 
 
 @frozen
@@ -40,12 +41,12 @@ class Preset:
 
     @property
     def title(self):
-        return title(self.name)
+        return title(self.path.stem if self.group == GROWN else self.name)
 
 
 def title(name):
     """The name of a preset for people."""
-    return name.replace("_", " ").title().replace("Csg", "CSG").replace("L System", "L-System")
+    return name.replace("_", " ").title().replace("Csg", "CSG")
 
 
 def found():

@@ -10,7 +10,7 @@ from ..core.later import later
 mark = later("bridge.meshes", "mark")
 has_fast = later("bridge.solvers", "has_fast")
 inputs, renders_otherwise = later("bridge.objects", "inputs", "renders_otherwise")
-finding = later("properties.finding")
+finding, reading = later("properties.finding"), later("properties.reading")
 differs, rebuild, set_if_other = later("properties.live", "differs", "rebuild", "set_if_other")
 
 INPUTS = {"CURVE", "FONT", "EMPTY", "MESH"}
@@ -44,7 +44,9 @@ def after_frame(scene, depsgraph):
 
 @persistent
 def after_history(*_):
-    """Undo, redo or a file bring meshes that may not have been looked at."""
+    """Undo, redo or a file bring meshes that may not have been looked at, and texts that people may edit."""
+    if any(mesh.sweep.kind == "PLANT" for mesh in sweeps()):
+        reading.begin()
     if any(finding.is_due(mesh) for mesh in sweeps()):
         finding.soon()
 
@@ -115,3 +117,4 @@ def unregister():
     for handlers, function in HANDLERS:
         handlers.remove(function)
     finding.stop()
+    reading.stop()

@@ -10,7 +10,7 @@ from ..core.later import later
 from ..core.parameters import ShapeError
 from ..core.plain import VERSION
 
-texts = later("bridge.texts")
+texts, reading = later("bridge.texts"), later("properties.reading")
 joined = later("core.joining", "joined")
 digest = later("core.digest", "digest")
 
@@ -34,6 +34,7 @@ def rebuild(mesh, depsgraph=None):
         return
     if sweep.kind == GROWN:
         texts.follow(mesh)
+        reading.begin()
     try:
         if mesh.shape_keys:
             raise ShapeError(SHAPE_KEYS)
@@ -41,10 +42,16 @@ def rebuild(mesh, depsgraph=None):
         wanted, later = digest(shapes), waits(depsgraph)
         if wanted == sweep.made and not sweep.error and (later or not sweep.solid):
             return
-        made = joined([(surface if later else mesh_of)(shape) for shape in shapes])
+        made = [(surface if later else mesh_of)(shape) for shape in shapes]
     except ShapeError as error:
         set_if_other(sweep, "error", str(error))
         return
+    if None in made:  # there is nothing to see at once: the last mesh stays until this one is made
+        sweep.made = wanted
+        for name, value in (("error", ""), ("solid", AWAITED)):
+            set_if_other(sweep, name, value)
+        return
+    made = joined(made)
     put(mesh, made, wanted, AWAITED if later and any(map(wants_solid, shapes)) else "")
 
 
@@ -72,7 +79,7 @@ def wants_solid(shape):
 
 
 def surface(shape):
-    """The mesh of a shape, without what takes long."""
+    """The mesh of a shape, without what takes long; None where nothing can be made at once."""
     return shape.surface(dtype=np.float32) if wants_solid(shape) else mesh_of(shape)
 
 
@@ -83,10 +90,10 @@ def mesh_of(shape):
 def differs(mesh):
     """Whether somebody has changed a mesh since it was made from its parameters."""
     try:
-        made = joined([(surface if mesh.sweep.solid else mesh_of)(shape) for shape in objects.shapes(mesh)])
+        made = [(surface if mesh.sweep.solid else mesh_of)(shape) for shape in objects.shapes(mesh)]
     except ShapeError:
         return False
-    return not meshes.equal(mesh, made)
+    return None in made or not meshes.equal(mesh, joined(made))
 
 
 def set_if_other(sweep, name, value):

@@ -17,8 +17,8 @@ from .live import AWAITED, put, set_if_other, wants_solid
 
 joined, digest = later("core.joining", "joined"), later("core.digest", "digest")
 
-STOPPED = "The solid was not made: Esc stopped it."
-FAILED = "The solid was not made: the terminal shows why."
+STOPPED = "The {} was not made: Esc stopped it."
+FAILED = "The {} was not made: the terminal shows why."
 
 
 class StoppedError(Exception):
@@ -41,7 +41,8 @@ class Work:
 
     def __init__(self, shapes):
         self.shapes, self.wanted = shapes, digest(shapes)
-        self.part, self.made, self.why_not, self.stopping = 0.0, None, FAILED, False
+        self.what = "figure" if any(hasattr(shape, "system") for shape in shapes) else "solid"
+        self.part, self.made, self.why_not, self.stopping = 0.0, None, FAILED.format(self.what), False
         self.thread = Thread(target=self.run, daemon=True)
         self.thread.start()
 
@@ -99,4 +100,4 @@ def finish(mesh, work):
     if work.made and not work.stopping:
         put(mesh, work.made, work.wanted)
     else:
-        set_if_other(mesh.sweep, "solid", STOPPED if work.stopping else work.why_not)
+        set_if_other(mesh.sweep, "solid", STOPPED.format(work.what) if work.stopping else work.why_not)

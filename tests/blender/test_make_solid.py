@@ -99,8 +99,8 @@ def test_esc_leaves_the_surface_and_says_so(scene, window):
     while not work.done:
         time.sleep(0.01)
     solving.finish(ob.data, work)
-    assert ob.data.sweep.solid == solving.STOPPED and volume(ob.data) == surface
-    assert solving.STOPPED in said(drawn(ob, width=2000)) and "object.sweep_make_solid" in drawn(ob)
+    assert ob.data.sweep.solid == solving.STOPPED.format("solid") and volume(ob.data) == surface
+    assert solving.STOPPED.format("solid") in said(drawn(ob, width=2000)) and "object.sweep_make_solid" in drawn(ob)
     finding.find(ob.data)
     assert not finding.is_due(ob.data)
 
