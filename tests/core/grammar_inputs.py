@@ -38,6 +38,24 @@ def word(draw, parameters, depth=2, cut=False):
 
 
 @st.composite
+def sectioned(draw):
+    """The text of a grammar with groups, a decomposition and a homomorphism."""
+    lines, others = (draw(told).split("\n") for told in (grammars(), grammars(stochastic=False)))
+    rules = [line for line in (*lines, *others) if "->" in line]
+    sections = {name: [] for name in ("", "group 1:", "group 3:", "decomposition:", "homomorphism:")}
+    for rule in rules:
+        sections[draw(st.sampled_from(list(sections)))].append(rule)
+    told = [draw(st.sampled_from(["", "", "#groups 3 1 ...", "#groups 1*2 3", "#groups 7 1"]))]
+    told += [line for line in lines if "->" not in line]
+    for name, each in sections.items():
+        depth = (
+            [f"maximum depth: {draw(st.integers(0, 3))}"] if name[:1] in ("d", "h") and draw(st.integers(0, 3)) else []
+        )
+        told += [name, *depth, *each] if each else []
+    return "\n".join(filter(None, told))
+
+
+@st.composite
 def grammars(draw, context=True, stochastic=True, cut=True, axial=False):
     """The text of a grammar whose words stay small for a few generations.
 

@@ -4,8 +4,8 @@
 
 import pytest
 import sequential_deriver
-from grammar_inputs import grammars
-from hypothesis import example, given
+from grammar_inputs import grammars, sectioned
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from sequential_deriver import text
 
@@ -15,6 +15,7 @@ from sweep_addon.core.grammars.growth import bounds
 from sweep_addon.core.parameters import ShapeError
 
 SMALL = Budget(modules=2000)
+MORE = settings(max_examples=2 * settings().max_examples)
 GENERATIONS = 4
 
 
@@ -37,6 +38,26 @@ def same_words(told, seed):
 @example("axiom: A[B%C[D]E]F%G\nB -> BB\nC < D -> %")
 def test_any_grammar_derives_the_words_of_the_reference(told):
     same_words(told, seed=3)
+
+
+@MORE
+@given(sectioned())
+@example(
+    "#groups 3 1 ...\naxiom: AB\nA -> AA\ngroup 1:\nA > A -> B\ngroup 3:\nB -(0.5)-> A[B%]A\ndecomposition:\nA < B -> *"
+)
+def test_any_grammar_with_sections_derives_the_words_of_the_reference(told):
+    same_words(told, seed=5)
+
+
+@MORE
+@given(sectioned())
+def test_any_word_is_interpreted_as_by_the_reference(told):
+    system = LSystem.parse(told)
+    try:
+        found = str(system.derive(2, 8, SMALL).interpreted(SMALL))
+    except ShapeError:
+        return
+    assert found == text(sequential_deriver.interpreted(system, sequential_deriver.derive(system, 2, 8)[-1], 2))
 
 
 @given(grammars(cut=False, axial=True))
