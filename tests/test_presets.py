@@ -3,6 +3,7 @@
 """Presets are closed, quick to drag, and as large as the source that each names says.
 
 Those of mixed dimension are not closed; what they are is in tests/core/test_mixed_dimension.py. Plane regions are flat.
+Of grammars tests/test_grammar_presets.py tells.
 """
 
 from math import atan, degrees, pi
@@ -16,7 +17,8 @@ from sweep_addon.core.parameters import ShapeError
 from sweep_addon.core.sampling import place
 
 ALL = [preset.name for preset in presets.PRESETS]
-SOLID = [preset for preset in presets.PRESETS if preset.group not in ("mixed_dimension", "plane_region")]
+OPEN = ("mixed_dimension", "plane_region", "l_system")
+SOLID = [preset for preset in presets.PRESETS if preset.group not in OPEN]
 LONG = {"general_sweep": pytest.mark.thorough}  # presets whose meshes take seconds
 MOST_VERTICES = 65_536  # Blender draws so many in a few milliseconds
 

@@ -6,6 +6,7 @@ Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.to
 """
 
 import os
+import re
 from functools import cached_property, lru_cache
 from itertools import groupby
 from pathlib import Path
@@ -20,6 +21,7 @@ shape_of, tables = later("core.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
 GROWN = "l_system"  # the folder of presets that are grammars, each a thing of its own
+SMALL = re.compile(r"(?<= )(A|And|By|In|Of|On|The|To|With)(?= )")  # words that titles do not begin with
 
 
 @frozen
@@ -46,7 +48,8 @@ class Preset:
 
 def title(name):
     """The name of a preset for people."""
-    return name.replace("_", " ").title().replace("Csg", "CSG")
+    words = name.replace("_", " ").title().replace("Csg", "CSG")
+    return SMALL.sub(lambda word: word.group().lower(), words)
 
 
 def found():

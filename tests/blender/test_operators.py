@@ -59,7 +59,7 @@ def test_added_shape_joins_the_mesh_that_is_edited(scene):
     assert cube.data.sweep.kind == "NONE"
 
 
-OPEN = {"mixed_dimension", "plane_region"}
+OPEN = {"mixed_dimension", "plane_region", presets.GROWN}
 
 
 @pytest.mark.parametrize("name", tried(p.name for p in presets.PRESETS if p.group not in OPEN))
@@ -71,6 +71,15 @@ def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
     bpy.ops.mesh.sweep_preset_add(preset=name.upper(), follow=False, location=(1, 2, 3), rotation=(1, 0, 0))
     assert tuple(bpy.context.active_object.location) == (1, 2, 3)
     assert enclosed(bpy.context.active_object.data) == pytest.approx(volume)
+
+
+@pytest.mark.parametrize("name", tried(p.name for p in presets.PRESETS if p.group == presets.GROWN))
+def test_preset_of_a_grammar_has_the_valid_mesh_of_its_shape(scene, name):
+    assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
+    ob, expected = bpy.context.active_object, presets.shape(name).mesh()
+    assert ob.name == presets.BY_NAME[name].title and not ob.data.sweep.error
+    assert len(ob.data.vertices) == len(expected.vertices) and len(ob.data.polygons) == len(expected.offsets) - 1
+    assert not ob.data.validate()
 
 
 @pytest.mark.parametrize("name", [p.name for p in presets.PRESETS if p.group == "mixed_dimension"])

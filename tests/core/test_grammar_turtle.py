@@ -141,6 +141,14 @@ def test_a_polygon_has_its_vertices():
     assert square[:, :2] == pytest.approx(np.array([[1, 0], [1, 1], [0, 1], [0, 0]]), abs=1e-12)
 
 
+def test_a_polygon_that_closes_but_for_rounding_has_no_vertex_twice():
+    """Seven edges that turn by a seventh of a circle end where they begin, or a rounding beside it."""
+    for turn in ("+", "&", "^"):
+        told = f"#angle 360/7\naxiom: F(0.3){turn}F(0.7){{{f'f{turn}' * 7}}}"
+        (heptagon,) = LSystem.parse(told).derive(0).figure().polygons
+        assert len(heptagon) == 7
+
+
 def test_a_leaf_of_the_book_is_made_of_triangles():
     """ABOP figure 5.5: each polygon has three dots; the edges of the two youngest on each side have no length yet."""
     entry = next(entry for entry in ENTRIES if entry["id"] == "abop-5.5-cordate")

@@ -9,6 +9,7 @@ from .neighbours import narrow
 
 START, MARK, END = "{", ".", "}"
 ORGAN = "~"
+ALMOST = 1e-12  # of the largest coordinate: what is nearer is one place
 UNMARKED = ("F", "f")  # moves that make a vertex within a polygon; G makes none
 
 
@@ -95,11 +96,11 @@ def levels(opens, closes):
 
 
 def once(at, polygon):
-    """(n,) bool array: which vertices are not where the one before is, around their polygon."""
+    """(n,) bool array: which vertices are not where the one before is, around their polygon, but for rounding."""
     before = np.arange(-1, len(at) - 1)
     first = np.flatnonzero(np.diff(polygon, prepend=-1))
     before[first] = np.append(first[1:], len(at))[: len(first)] - 1
-    return (at != at[before]).any(axis=1)
+    return (np.abs(at - at[before]) > ALMOST * np.abs(at).max(initial=0)).any(axis=1)
 
 
 def organs(walk, end):
