@@ -70,7 +70,7 @@ def test_presets_of_mixed_dimension_are_the_six_of_the_lecture():
 def test_plane_region_is_flat_and_bounded(name, area):
     mesh = presets.shape(f"plane_region_{name}").mesh()
     assert np.ptp(mesh.vertices[:, 2]) == 0 and len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
-    assert job.read(presets.PATHS[f"plane_region_{name}"]).shape == presets.shape(f"plane_region_{name}")
+    assert job.read(presets.BY_NAME[f"plane_region_{name}"].path).shape == presets.shape(f"plane_region_{name}")
     assert area is None or mesh.area() == pytest.approx(area, rel=3e-3)
 
 
