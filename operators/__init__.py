@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a user can do, one verb a file."""
+"""What a user can do, one verb a file; small ones on the same thing share one, for Blender waits for each file."""
 
 from bpy.utils import register_classes_factory
 
@@ -10,28 +10,20 @@ from . import (
     add_shape,
     apply,
     bend,
-    choose_solver,
     classify,
-    collapse,
     combine,
     convert,
     convert_to_csg,
     copy_as,
-    duplicate_tree,
     edit_as_curve,
-    evaluate,
-    extract,
     find_self_intersections,
     grammar,
     make_solid,
-    move_step,
-    mute_step,
     offset_selected,
-    pick_step,
     remove_item,
-    select_operand,
     sweep_selected,
-    take_apart,
+    tree_steps,
+    whole_trees,
 )
 
 register, unregister = register_classes_factory(
@@ -52,17 +44,9 @@ register, unregister = register_classes_factory(
         *grammar.OPERATORS,
         offset_selected.OBJECT_OT_sweep_offset_selected,
         *combine.OPERATORS,
-        pick_step.OBJECT_OT_sweep_step_pick,
-        move_step.OBJECT_OT_sweep_step_move,
-        mute_step.OBJECT_OT_sweep_step_mute,
-        select_operand.OBJECT_OT_sweep_step_select,
-        extract.OBJECT_OT_sweep_step_extract,
-        choose_solver.OBJECT_OT_sweep_tree_choose_solver,
-        duplicate_tree.OBJECT_OT_sweep_tree_duplicate,
-        collapse.OBJECT_OT_sweep_tree_collapse,
-        take_apart.OBJECT_OT_sweep_tree_take_apart,
+        *tree_steps.OPERATORS,
+        *whole_trees.OPERATORS,
         convert_to_csg.OBJECT_OT_sweep_convert_to_csg,
-        evaluate.OBJECT_OT_sweep_tree_evaluate,
         classify.OBJECT_OT_sweep_classify,
     )
 )

@@ -8,7 +8,6 @@ Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.to
 import os
 import re
 from functools import cached_property, lru_cache
-from itertools import groupby
 from pathlib import Path
 
 from ..core.frozen import frozen
@@ -21,6 +20,7 @@ shape_of, tables = later("core.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
 GROWN = "l_system"  # the folder of presets that are grammars, each a thing of its own
+NUMBERS = re.compile("([0-9]+)")
 SMALL = re.compile(r"(?<= )(A|And|By|In|Of|On|The|To|With)(?= )")  # words that titles do not begin with
 
 
@@ -64,8 +64,8 @@ def found():
 
 def counted(parts):
     """The parts of a path to sort it by, numbers as numbers: m3 comes before m10."""
-    words = ((number, "".join(word)) for number, word in groupby("/".join(filter(None, parts)), str.isdigit))
-    return [(number, int(word) if number else word) for number, word in words]
+    words = NUMBERS.split("/".join(filter(None, parts)))
+    return [int(word) if word.isdigit() else word for word in words]  # every other one is a number
 
 
 PRESETS = tuple(found())
