@@ -5,6 +5,7 @@
 import time
 import tracemalloc
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -223,3 +224,80 @@ def test_chances_of_a_group_are_its_own():
     told = "axiom: AB\nA -(0.7)-> X\nA -(0.3)-> Y\nB -> C\ngroup 1:\nA -(0.6)-> Z"
     words = {str(LSystem.parse(told).derive(1, seed)) for seed in range(40)}
     assert words == {"AC", "ZC"}
+
+
+DRAWN = {
+    "a length": "axiom: F(1e308)F(1e308)",
+    "many lengths": "axiom: A\nA -> F(ran(1e308))A",
+    "a step": "#step 1e308\naxiom: FFF",
+    "a turn": "axiom: F+(1e308)F",
+    "a turn in space": "axiom: F&(1e308)F",
+    "a width": "axiom: !(1e308)F",
+    "a default width": "#width 1e308\naxiom: F",
+}
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_what_no_figure_can_be_drawn_of_is_refused(name):
+    word = LSystem.parse(DRAWN[name]).derive(5)
+    with np.errstate(all="raise"), pytest.raises(ShapeError, match=r"figure: must .* at most 1e\+12 (m|degrees)"):
+        word.figure().mesh()
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "#tropism 1e-320 0 0 1\naxiom: F&F[$F]F",
+        "#tropism 1e308 1e308 -1e308 1e308\naxiom: F&F[$F]F",
+        "#angle 999999999999\naxiom: F+F&F$F",
+        "axiom: !(-1)F(-1)F(0)+F!(0)F",
+        "axiom: }}F{F+F}F{F.F+F{F+F{{{{",
+        "axiom: {[F+F+F]}{}[{F]F}F{f+f+f+f}~~~F~",
+        "axiom: F(1e-320)F!(1e-320)F",
+        "axiom: " + "[&" * 3000 + "F" + "]" * 3000,
+        "axiom: " + "F&(1)$" * 3000,
+    ],
+    ids=range(9),
+)
+def test_what_is_drawn_is_finite(told):
+    figure = LSystem.parse(told).derive(0).figure()
+    mesh = figure.mesh(sides=3)
+    assert np.isfinite(mesh.vertices).all() and np.isfinite(figure.axes).all() and np.isfinite(figure.bounds).all()
+    assert all(np.isfinite(value).all() for value in mesh.attributes.values())
+    assert (figure.width >= 0).all()
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "axiom: " + "{F+F+F}" * 20_000,
+        "axiom: " + "{" * 60_000 + "F+F+F" + "}" * 60_000,
+        "axiom: " + "[F&" * 30_000 + "F$" + "]" * 30_000,
+        "axiom: " + "F&$" * 20_000,
+        NAMES + "axiom: " + "".join(f"~nm{k} F" for k in range(9000)),
+    ],
+    ids=["polygons", "polygons in polygons", "a nest", "a path", "organs"],
+)
+def test_no_word_takes_long_to_draw(told):
+    word = LSystem.parse(told).derive(0)
+    started = time.process_time()
+    figure = word.figure()
+    assert len(figure.order) == len(figure.axes) and figure.mesh(sides=3).vertices.shape[1] == 3
+    assert all(map(len, figure.polygons)) and all(len(organ.at) for organ in figure.organs)
+    assert time.process_time() - started < LARGEST
+
+
+def test_figures_and_their_meshes_keep_a_budget():
+    word = LSystem.parse("axiom: F\nF -> F+F[&F]").derive(9)
+    for bytes_ in (100_000, 1_000_000, 10_000_000, 100_000_000):
+        budget = Budget(bytes=bytes_)
+        tracemalloc.start()
+        try:
+            word.figure(budget=budget).mesh(budget=budget)
+        except ShapeError as refusal:
+            assert f"must take at most {bytes_:,} bytes, but needs about" in str(refusal)
+        else:
+            assert bytes_ >= 10_000_000
+        _, peak = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        assert peak < 2 * bytes_

@@ -37,6 +37,11 @@ class Budget:
     bytes: int = 1_000_000_000
     seconds: float = 60.0
 
+    def of_arrays(self, size, key):
+        """Refuse what would take so many bytes, if that is too much; the key says of what it is."""
+        if size > self.bytes:
+            raise ShapeError(f"must take at most {self.bytes:,} bytes, but needs about {sized(int(size))}", key)
+
 
 class Meter:
     """Watches a derivation: refuses what is over the budget, and tells how far it is."""

@@ -8,11 +8,13 @@ import numpy as np
 
 from ..texture import Texture
 from . import turns
+from .bounding import bounded
 from .filling import organs, polygons, position
 from .neighbours import narrow
 from .scaling import WIDTH, scaled
 
 ALMOST = 1e-6  # of the sine between a heading and a left that is none
+OF_VERTEX = 120  # bytes of all arrays of a mesh while it is made, for each vertex
 THINNER = 0.5**0.5  # what a diameter is multiplied by where none is said: two such branches are as thick as one before
 
 
@@ -89,7 +91,11 @@ class Figure:
         return found
 
     def widths(self, place):
-        """(k,) float array: the diameter at modules of the word."""
+        """(k,) float array: the diameter at modules of the word; 0 where it would be less."""
+        return np.maximum(bounded(self.said(place), np.max, "be at most {} m thick"), 0)
+
+    def said(self, place):
+        """(k,) float array: the diameter that modules say, at others of the word."""
         sets = self.walk.chosen("!", given=True)
         found = self.changing("!", self.walk.system.width, np.multiply, lambda times: THINNER**times, place)
         found = found if self.walk.scale is None else found * self.walk.scale[place]
@@ -194,7 +200,7 @@ class Figure:
             above = np.where(above >= 0, above[above], -1)
         return steps[of_axis[self.axis]]
 
-    def mesh(self, sides=8, texture=Texture.NONE, attributes=True, dtype=np.float64):
+    def mesh(self, sides=8, texture=Texture.NONE, attributes=True, dtype=np.float64, budget=None):
         """A closed tube along each axis, mitred where it turns, or its segments as edges; its polygons as faces.
 
         Parameters
@@ -207,6 +213,8 @@ class Figure:
             Whether vertices know their segments.
         dtype : numpy dtype
             Of the vertices.
+        budget : Budget, optional
+            Of the arrays of the mesh.
 
         Returns
         -------
@@ -217,7 +225,7 @@ class Figure:
         Raises
         ------
         ShapeError
-            For other numbers, and for more than 20 million vertices.
+            For other numbers, and for more than 20 million vertices or than the budget allows.
 
         Examples
         --------
@@ -228,6 +236,9 @@ class Figure:
         """
         from .tubes import mesh  # figures alone need no mesh
 
+        if budget is not None:
+            rings = 2 * len(self) if sides == 0 else len(self) + int(np.count_nonzero(~self.joined))
+            budget.of_arrays(rings * max(sides, 1) * OF_VERTEX, "sides")
         return mesh(self, sides, texture, attributes, dtype)
 
     def changing(self, name, default, combine, change, place):

@@ -107,9 +107,12 @@ def organs(walk, end):
     """The organs of a word, by name: each is the module behind a tilde."""
     tildes = np.flatnonzero(walk.chosen(ORGAN))
     places = tildes[tildes + 1 < len(walk.symbols)] + 1
-    names = np.array([name for name, _ in walk.word.tables.symbols], dtype=object)[walk.symbols[places]]
+    kinds = [name for name, _ in walk.word.tables.symbols]
+    number = {name: k for k, name in enumerate(dict.fromkeys(kinds))}
+    which = np.array([number[name] for name in kinds], dtype=np.intp)[walk.symbols[places]]
     at, scale = position(walk, places, end), np.broadcast_to(walk.parameter(places, 1.0), places.shape)
     scale = scale if walk.scale is None else scale * walk.scale[places]
-    return tuple(
-        Organ(name, places[names == name], at[names == name], scale[names == name]) for name in dict.fromkeys(names)
-    )
+    order = np.argsort(which, kind="stable")
+    alike = np.split(order, np.flatnonzero(np.diff(which[order])) + 1) if len(order) else ()
+    alike = sorted(alike, key=lambda each: each[0])
+    return tuple(Organ(kinds[walk.symbols[places[k[0]]]], places[k], at[k], scale[k]) for k in alike)

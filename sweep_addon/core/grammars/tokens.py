@@ -90,7 +90,8 @@ class Tokens:
         if not self.walk.bends:
             return (z, w), (z, w)
         *towards, ease = self.walk.system.tropism
-        towards = np.array(towards) / np.linalg.norm(towards)
+        towards = np.array(towards) / np.abs(towards).max()  # whose square may be no number
+        towards /= np.linalg.norm(towards)
         draws = np.flatnonzero(self.drawing[tokens])
         left = z.copy(), w.copy()
         left[0][draws], left[1][draws] = turns.bent(z[draws], w[draws], towards, ease)

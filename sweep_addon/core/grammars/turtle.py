@@ -13,6 +13,7 @@ import re
 import numpy as np
 
 from . import turns
+from .bounding import bounded
 from .branches import Branches
 from .cylinders import MARKS, Cylinders, marked
 from .figure import Figure
@@ -106,7 +107,11 @@ class Walk:
 
     def angles(self, places):
         """(m,) float array, or one number for all: what turns at places turn by, in degrees."""
-        return self.parameter(places, self.system.angle * scaled(self, ANGLE, places))
+        return bounded(
+            self.parameter(places, self.system.angle * scaled(self, ANGLE, places)),
+            np.max,
+            "turn by at most {} degrees",
+        )
 
     def figure(self):
         """The figure that is drawn."""
@@ -116,6 +121,7 @@ class Walk:
             length = length * self.scale[self.moves]
         if self.stops:
             length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
+        bounded(length if np.ndim(length) else length * len(self.moves), np.sum, "go at most {} m in all")
         if not self.spatial and self.along != "z":
             plane = Plane(self)
             ways = self.branches.sums(plane.ways(length), first)

@@ -6,6 +6,10 @@ from functools import cached_property
 
 import numpy as np
 
+from .budget import Budget
+
+OF_MODULE = 50  # bytes of all arrays of a figure while it is drawn, for each module of the word
+
 
 class Word:
     """A row of modules that a system derived.
@@ -83,7 +87,7 @@ class Word:
             Whether it starts upwards, along z, or along x with its left along y. Where nothing is said, it starts as
             the system says; else one with branches that turns out of the plane grows upwards.
         budget : Budget, optional
-            Of the interpretation.
+            Of the interpretation, and of the arrays of the figure.
 
         Returns
         -------
@@ -98,7 +102,9 @@ class Word:
         """
         from .turtle import Walk
 
-        return Walk(self.interpreted(budget), upright).figure()
+        told = self.interpreted(budget)
+        (budget or Budget()).of_arrays(len(told) * OF_MODULE, "figure")
+        return Walk(told, upright).figure()
 
     def __str__(self):
         """The modules in the notation of the book: parameters of six digits, no blanks."""
