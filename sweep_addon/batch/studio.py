@@ -18,10 +18,11 @@ AMBIENT = (0.86, 0.91, 1.0), 0.45  # the sky's colour and strength
 
 
 def paint(mesh, render):
-    """Two materials, for the side and for the ends, in the slots that a sweep's faces name."""
+    """Materials in the slots that faces name: for the side, for the ends, and for what else a plant has, as leaves."""
     while len(mesh.materials) < 2:
         mesh.materials.append(None)  # clear() would forget which faces are ends
-    for slot, (name, colour) in enumerate((("Side", render.side), ("Caps", render.caps))):
+    named = [("Side", render.side), ("Caps", render.caps)] + [("Leaves", render.leaves)] * (len(mesh.materials) - 2)
+    for slot, (name, colour) in enumerate(named):
         material = bpy.data.materials.new(name)
         surface = tree(material).nodes["Principled BSDF"].inputs
         surface["Base Color"].default_value = material.diffuse_color = (*linear(colour), 1.0)

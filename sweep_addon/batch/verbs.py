@@ -138,9 +138,9 @@ def table(name, kind):
     width = max(60, shutil.get_terminal_size((100, 24)).columns - 4)
     lines = [f"{name}: {description.summary(kind)}", ""]
     for row in description.describe(kind):
-        default = forms.tidy(row.default, forms.scalar, len(row.key))
+        default = "" if row.default is None else f" = {forms.tidy(row.default, forms.scalar, len(row.key))}"
         means = f"{row.doc}. {row.takes}" + (f"; {row.limits}" if row.limits else "")
-        lines.append(f"{row.key} = {default}")
+        lines.append(f"{row.key}{default}")
         lines.extend(textwrap.wrap(means, width, initial_indent="    ", subsequent_indent="    "))
     return "\n".join(lines)
 
