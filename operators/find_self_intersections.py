@@ -67,6 +67,8 @@ def is_ready(operator, context):
     ob = context.active_object
     if not objects.is_editable_sweep(ob):
         operator.poll_message_set("Select a sweep whose mesh is not linked from another file")
+    elif not objects.is_swept(ob):
+        operator.poll_message_set("The tubes of an L-system begin within each other: nobody asks where they meet")
     elif context.mode != "OBJECT":
         operator.poll_message_set("Go back to Object Mode first")
     elif ob.data.sweep.error:

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The menu of what can be added, in Add > Mesh and in the sidebar, and the line in Object > Convert."""
 
+from functools import cache
+
 from bpy.types import Menu
 
 from ..operators.add_shape import idname
@@ -14,7 +16,7 @@ from ..sweep_addon.presets import GROWN, PRESETS, title
 from . import previews
 
 GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
-COLUMNS = 20  # presets one below the other
+ROWS = 24  # presets one below the other
 
 
 class VIEW3D_MT_sweep_add(Menu):
@@ -63,12 +65,36 @@ class VIEW3D_MT_sweep_l_system_add(Menu):
         self.layout.operator_context = "INVOKE_REGION_WIN"
         self.layout.operator(idname(Plant), icon_value=previews.icon(Plant))
         self.layout.separator()
-        presets = [preset for preset in PRESETS if preset.group == GROWN]
+        for menu in GROWN_MENUS:
+            self.layout.menu(menu.bl_idname)
+
+
+def grown_menu(name, label, branching):
+    """The menu of the presets that are grammars, of those whose words have branches or of the others."""
+
+    def draw(self, context):
+        self.layout.operator_context = "INVOKE_REGION_WIN"
+        presets = [preset for preset in PRESETS if preset.group == GROWN and branches(preset) == branching]
         row = self.layout.row()
-        for first in range(0, len(presets), COLUMNS):
+        for first in range(0, len(presets), ROWS):
             column = row.column()
-            for preset in presets[first : first + COLUMNS]:
+            for preset in presets[first : first + ROWS]:
                 draw_preset(column, preset, preset.title)
+
+    return type(name, (Menu,), {"bl_idname": name, "bl_label": label, "draw": draw})
+
+
+@cache
+def branches(preset):
+    """Whether the words of a preset that is a grammar have branches."""
+    lines = preset.path.read_text(encoding="utf-8").splitlines()
+    return any("[" in line for line in lines if "->" in line or line.startswith("axiom"))
+
+
+GROWN_MENUS = (
+    grown_menu("VIEW3D_MT_sweep_l_system_plants", "Plants", True),
+    grown_menu("VIEW3D_MT_sweep_l_system_curves", "Curves and Patterns", False),
+)
 
 
 def draw_preset(layout, preset, text):
@@ -92,6 +118,7 @@ class VIEW3D_MT_sweep_selected(Menu):
 
 MENUS = (
     *(menu_of(group) for group in GROUPS if group != GROWN),
+    *GROWN_MENUS,
     VIEW3D_MT_sweep_l_system_add,
     VIEW3D_MT_sweep_add,
     VIEW3D_MT_sweep_selected,

@@ -51,7 +51,10 @@ class Render:
     side: tuple[float, float, float] = parameter((0.80, 0.36, 0.16), "Colour of the side", minimum=0.0, maximum=1.0)
     caps: tuple[float, float, float] = parameter((0.93, 0.78, 0.55), "Colour of the ends", minimum=0.0, maximum=1.0)
     leaves: tuple[float, float, float] = parameter(
-        (0.32, 0.50, 0.16), "Colour of polygons, and of what has the number of a further colour", minimum=0.0, maximum=1.0
+        (0.32, 0.50, 0.16),
+        "Colour of polygons, and of what has a further colour's number",
+        minimum=0.0,
+        maximum=1.0,
     )
     metallic: float = parameter(0.0, "1 for a metal", minimum=0.0, maximum=1.0)
     roughness: float = parameter(0.35, "0 for a mirror, 1 for chalk", minimum=0.0, maximum=1.0)

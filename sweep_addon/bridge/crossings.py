@@ -61,7 +61,7 @@ def crossing(mesh):
 
     start, found = 0, [np.zeros(0, int)]
     for shape in objects.shapes(mesh):
-        made, places = shape.mesh(dtype=np.float32), shape.self_intersections()
+        made, places = shape.mesh(dtype=np.float32), isinstance(shape, SWEPT) and shape.self_intersections()
         if places:
             one = hasattr(made.chart, "grid")  # of sweeps of several sections all faces are chosen
             found.append(start + (faces_of(made.chart, places) if one else np.arange(len(made.offsets) - 1)))

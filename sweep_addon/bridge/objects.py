@@ -10,7 +10,7 @@ from ..core.later import later
 from ..core.operand import Operand
 from ..core.parameters import ShapeError, at, parameters, require, spelled
 from ..core.sampling import rendered
-from ..core.shapes import SHAPES
+from ..core.shapes import SHAPES, SWEPT
 from ..core.wording import titled
 from . import meshes, rna
 
@@ -135,6 +135,11 @@ def is_sweep(ob):
     """Whether an object's mesh is made from parameters."""
     sweep = getattr(ob.data, "sweep", None) if ob is not None and ob.type == "MESH" else None
     return sweep is not None and sweep.kind != "NONE"  # None too where the extension is not enabled
+
+
+def is_swept(ob):
+    """Whether an object's mesh is made from parameters by sweeping, and no grammar."""
+    return is_sweep(ob) and SHAPE[ob.data.sweep.kind] in SWEPT
 
 
 def carrier(shape):

@@ -162,7 +162,7 @@ def steps_of_objects(ob):
 def leaf(ob, depsgraph, above, known):
     """What an object's own mesh is: its shape, or its triangles; those of an object without steps as modifiers leave
     them."""
-    if not objects.is_sweep(ob):
+    if not objects.is_swept(ob):
         bare = is_tree(ob) and not ob.data.is_editmode
         return of_mesh(ob) if bare else models.triangles(ob, depsgraph, scaled=False)
     found = objects.shapes(ob.data)
@@ -186,7 +186,7 @@ def generator_of(ob):
     if shape is not GeneralSweep or group.generator != "OBJECT":
         return None
     generator = group.generator_object
-    followed = generator and generator.type == "MESH" and (is_tree(generator) or objects.is_sweep(generator))
+    followed = generator and generator.type == "MESH" and (is_tree(generator) or objects.is_swept(generator))
     return generator if followed and is_rigid(objects.shapes(ob.data)[0]) else None
 
 

@@ -41,10 +41,16 @@ class Layout:
         assert isinstance(data, bpy.types.bpy_struct)
 
     def prop(self, data, name, text="", **_):
-        assert name in data.bl_rna.properties
+        own = name[2:-2] if name.startswith('["') else ""  # of the data alone, by its name between quotes
+        assert own in data if own else name in data.bl_rna.properties
         self.drawn.append(name)
 
     prop_menu_enum = prop
+
+    def template_ID(self, data, name, new="", open=""):  # noqa: N802, as Blender spells it
+        self.prop(data, name)
+        for idname in filter(None, (new, open)):
+            self.operator(idname)
 
     def menu(self, name, text="", icon="NONE", icon_value=0):
         assert hasattr(bpy.types, name)

@@ -7,7 +7,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import places, select
+from scenes import cube, places, select
 
 import sweep_addon as sw
 from sweep_addon.bridge import texts
@@ -178,3 +178,69 @@ def test_too_large_a_word_is_refused_with_its_size_and_the_mesh_stays(scene):
     ob = plant("axiom: F\nF -> FF", generations=3)
     parameters_of(ob).generations = 40
     assert "1,099,511,627,776" in ob.data.sweep.error and len(ob.data.edges) == 8
+
+
+def test_a_plant_is_an_operand_of_a_tree_by_its_mesh(scene):
+    """A box with a tube of twelve sides driven through it: the volumes of both, but for what they share."""
+    tube = sw.to_object(sw.Plant("#width 1\naxiom: F(4)", output={"kind": "tubes", "sides": 12}))
+    box = cube(2.0)
+    bpy.context.view_layer.update()
+    select(tube, box)
+    bpy.ops.object.sweep_union()
+    tree = sw.from_object(tube)
+    section = 12 / 2 * np.sin(np.pi / 6) * 0.5**2
+    assert tree.mesh().volume() == pytest.approx(8 + 3 * section, rel=1e-5)
+
+
+def test_nobody_asks_where_an_l_system_meets_itself(scene):
+    select(plant())
+    assert not bpy.ops.object.sweep_find_self_intersections.poll()
+    assert not bpy.ops.object.sweep_select_self_intersections.poll()
+
+
+def test_the_operator_takes_text_and_constants_and_refuses_as_all_others_do(scene):
+    bpy.ops.mesh.plant_add(system=TREE, constants='{"l": 1.5}', generations=1)
+    ob = bpy.context.active_object
+    assert sw.from_object(ob) == sw.Plant(TREE, constants={"l": 1.5}, angle=90, step=1, width=0.1)
+    for wrong, said in (
+        ({"system": "axiom: F["}, "system: line 1, column 9"),
+        ({"constants": '{"m": 1}'}, "constants: must be one of"),
+        ({"constants": "[["}, "constants: must be a table of numbers"),
+    ):
+        with pytest.raises(RuntimeError, match=said):
+            bpy.ops.mesh.plant_add(**wrong)
+
+
+def test_a_number_that_is_none_is_refused_and_the_mesh_stays(scene):
+    ob = plant()
+    turned(ob, "l", float("nan"))
+    assert ob.data.sweep.error == "constants.l: must be a number, got nan" and height(ob) == pytest.approx(2)
+
+
+def test_materials_have_a_slot_of_each_colour(scene):
+    ob = plant("axiom: F'(4)F", generations=0)
+    assert len(ob.data.materials) == 2  # edges have no faces
+    parameters_of(ob).output = "TUBES"
+    assert len(ob.data.materials) == 5
+
+
+def test_polygons_and_organs_are_faces_and_points_with_attributes(scene):
+    ob = plant("#angle 90\n#names leaf\naxiom: F'{f+f+f+f}~leaf(0.5)", generations=0)
+    assert len(ob.data.polygons) == 1 and ob.data.polygons[0].material_index == 1
+    organ = [value.value for value in ob.data.attributes["organ"].data]
+    assert organ.count(1) == 1 and "1 leaf (1)" in ob.data.sweep.told
+    assert ob.data.attributes["size"].data[organ.index(1)].value == 0.5
+    assert not ob.data.validate()
+
+
+def test_the_mesh_is_valid_with_its_texture_coordinates(scene):
+    ob = sw.to_object(sw.Plant())
+    assert not ob.data.validate()
+    assert {"u", "v", "arc_length", "radius", "colour", "birth", "axis", "order"} <= set(ob.data.attributes.keys())
+    shape = sw.from_object(ob)
+    uv = np.empty(2 * len(ob.data.loops), np.float32)
+    ob.data.uv_layers[0].uv.foreach_get("vector", uv)
+    assert uv == pytest.approx(shape.mesh().uv.ravel(), abs=1e-5)
+    parameters_of(ob).attributes = False
+    parameters_of(ob).texture = "NONE"
+    assert "radius" not in ob.data.attributes and "order" not in ob.data.attributes and not ob.data.uv_layers

@@ -15,9 +15,11 @@ from scenes import curve, parameters_of, select, square, straight, sweep, text
 
 import sweep_addon as sw
 from sweep_addon import presets
+from sweep_addon.bridge.rna import ASIDE
 from sweep_addon.core.parameters import inside, parameters, spelled
 from sweep_addon.core.resolving import MEETING
 from sweep_addon.core.shapes import SHAPES
+from sweep_addon.properties.live import rebuild
 
 MOST_CALLS = 150  # of the layout, in one draw: under 1 ms in a window
 
@@ -228,3 +230,33 @@ def test_a_draw_is_few_calls_and_changes_nothing(scene):
     seconds = min(timeit.repeat(lambda: drawn(ob), number=20, repeat=3)) / 20
     print(f"\ndraw of a sweep: {len(calls)} calls of the layout, {seconds * 1000:.2f} ms in Python")
     assert len(calls) < MOST_CALLS and ob.data.sweep.made == before
+
+
+def test_every_grammar_has_a_line_in_one_of_the_menus_of_l_systems(scene):
+    menus = [Layout() for _ in range(3)]
+    for menu, layout in zip(("add", "plants", "curves"), menus, strict=True):
+        getattr(bpy.types, f"VIEW3D_MT_sweep_l_system_{menu}").draw(SimpleNamespace(layout=layout), bpy.context)
+    assert menus[0].drawn.count("mesh.plant_add") == 1
+    plants, curves = (layout.drawn.count("mesh.sweep_preset_add") for layout in menus[1:])
+    assert plants + curves == len([preset for preset in presets.PRESETS if preset.group == "l_system"])
+    assert plants > 20 and curves > 20
+
+
+def test_an_l_system_shows_its_text_its_size_and_its_constants(scene):
+    ob = sw.to_object(sw.Plant())
+    calls = drawn(ob)
+    assert {"system_text", "object.sweep_grammar_edit", "object.sweep_grammar_reset"} <= set(calls)
+    assert "7,162 modules; one step more makes 14,330" in said(calls)
+    assert [call for call in calls if call.startswith("[")] == [f'["{name}"]' for name in "r1 r2 a0 a2 d wr".split()]
+    assert not {"object.sweep_classify", "object.sweep_find_self_intersections"} & set(calls)
+    for p in parameters(sw.Plant):
+        assert calls.count(p.name) == (0 if p.type in ASIDE else 1)
+
+
+def test_what_is_wrong_in_a_grammar_is_shown_by_its_lines(scene):
+    ob = sw.to_object(sw.Plant())
+    ob.data.sweep.plant.system_text.from_string("axiom: F[\nF -> x(")
+    rebuild(ob.data)
+    calls = drawn(ob, width=900)
+    assert "Line 1: axiom: F[" in calls and "Column 8: expected ')' or ',' after a parameter" in said(calls)
+    assert calls.count("object.sweep_grammar_edit") == 3 and "7,162" not in said(calls)
