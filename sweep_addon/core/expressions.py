@@ -93,7 +93,11 @@ class Expression:
             for step in self.program:
                 if isinstance(step, tuple):
                     function, count = step
-                    stack[-count:] = [function(*stack[-count:])]
+                    if count == 2:  # as most have
+                        second = stack.pop()
+                        stack[-1] = function(stack[-1], second)
+                    else:
+                        stack[-count:] = [function(*stack[-count:])]
                 else:
                     stack.append(values[step] if isinstance(step, str) else np.float64(step))
         return stack[0]

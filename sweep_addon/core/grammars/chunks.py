@@ -61,12 +61,14 @@ class Chunk:
         return np.arange(self.nodes.start, self.nodes.stop) if isinstance(self.nodes, slice) else self.nodes
 
 
-def merged(chunks):
-    """One chunk of all modules of some."""
+def merged(chunks, nodes=None):
+    """One chunk of all modules of some, whose numbers may be known to be in a row."""
     columns = [spread([chunk.columns[k] for chunk in chunks], chunks) for k in range(len(chunks[0].columns))]
     keys = None if chunks[0].keys is None else np.concatenate([chunk.keys for chunk in chunks])
-    nodes = np.concatenate([chunk.numbers() for chunk in chunks])
-    return Chunk(nodes, len(nodes), columns, spread([chunk.birth for chunk in chunks], chunks), keys)
+    nodes = np.concatenate([chunk.numbers() for chunk in chunks]) if nodes is None else nodes
+    return Chunk(
+        nodes, sum(chunk.size for chunk in chunks), columns, spread([chunk.birth for chunk in chunks], chunks), keys
+    )
 
 
 def spread(values, chunks):

@@ -18,14 +18,29 @@ import numpy as np
 
 GOLDEN = 0x9E3779B97F4A7C15
 ALL = 2**64 - 1
+ROUNDS = [tuple(map(np.uint64, pair)) for pair in ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB), (31, 0))]
+BLOCK = 1 << 14  # numbers
+FEW = 8  # bounds that are compared one by one
 DRAWS = 1024  # of one module that have numbers of their own at each moment
 
 
 def mixed(numbers):
     """Spread (n,) uint64 numbers evenly, each by itself."""
-    numbers = (numbers ^ (numbers >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-    numbers = (numbers ^ (numbers >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-    return numbers ^ (numbers >> np.uint64(31))
+    return mix(numbers.copy())
+
+
+def mix(numbers):
+    """The same in place, block by block, so that they stay in a processor's cache on the way."""
+    other = np.empty(min(len(numbers), BLOCK), dtype=np.uint64)
+    for start in range(0, len(numbers), BLOCK):
+        part = numbers[start : start + BLOCK]
+        shifted = other[: len(part)]
+        for shift, factor in ROUNDS:
+            np.right_shift(part, shift, out=shifted)
+            part ^= shifted
+            if factor:
+                part *= factor
+    return numbers
 
 
 def root(seed):
@@ -54,4 +69,16 @@ def even(keys, moment, draw):
     [0.305195]
     """
     place = np.array([(moment * DRAWS + draw + 1) * GOLDEN & ALL], dtype=np.uint64)
-    return (mixed(keys + place) >> np.uint64(11)) * 2.0**-53
+    found = mix(keys + place)
+    found >>= np.uint64(11)
+    return found * 2.0**-53
+
+
+def drawn(bounds, numbers):
+    """(n,) uint8 or int array: how many of some rising bounds each number has reached."""
+    if len(bounds) > FEW:
+        return np.searchsorted(bounds, numbers, side="right")
+    found = np.zeros(len(numbers), dtype=np.uint8)
+    for bound in bounds:
+        found += numbers >= bound
+    return found

@@ -4,19 +4,22 @@
 
 import numpy as np
 
-from ..expressions import Expression
+from ..expressions import DRAW, Expression
 
 BLOCK = 1 << 14  # modules
 
 
 class Named(dict):
-    """The values of names, found when they are asked for. Random numbers are asked for once, so they are not kept."""
+    """The values of names, found when they are asked for. Random numbers are asked for once, and not kept."""
 
     def __init__(self, find, part):
         self.find, self.part = find, part
 
     def __missing__(self, name):
-        return self.find(name, self.part)
+        found = self.find(name, self.part)
+        if not name.startswith(DRAW):
+            self[name] = found
+        return found
 
 
 def values(expression, find, size):

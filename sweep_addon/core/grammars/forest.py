@@ -10,7 +10,7 @@ forwards. So each module of the word is written once, and what nothing replaces 
 import numpy as np
 
 from .chunks import Chunk, merged
-from .draws import even, root
+from .draws import drawn, even, mix, root
 from .matching import finite
 from .stepping import told
 
@@ -130,17 +130,20 @@ class Forest:
                     followers.setdefault(symbol, []).append((batch, place))
         self.batches += batches
         for symbol, slots in followers.items():
-            parts = []
+            parts, first = [], self.nodes
             for batch, place in slots:
                 batch.children[place] = self.nodes
                 nodes = slice(self.nodes, self.nodes + batch.chunk.size)
                 columns = batch.parameters(place, self.arity[symbol])
-                keys = batch.chunk.keys
-                keys = None if keys is None else batch.template.child_keys(keys, place)
-                parts.append(Chunk(nodes, batch.chunk.size, columns, batch.step, keys))
+                parts.append(Chunk(nodes, batch.chunk.size, columns, batch.step, None))
                 self.nodes = nodes.stop
-            chunk = merged(parts) if len(parts) > 1 else parts[0]
-            chunk.nodes = slice(parts[0].nodes.start, parts[-1].nodes.stop)
+            chunk = merged(parts, slice(first, self.nodes)) if len(parts) > 1 else parts[0]
+            if self.tables.random:
+                chunk.keys = np.empty(chunk.size, dtype=np.uint64)
+                for (batch, place), part in zip(slots, parts, strict=True):
+                    own = slice(part.nodes.start - first, part.nodes.stop - first)
+                    np.add(batch.chunk.keys, batch.template.salts[place], out=chunk.keys[own])
+                mix(chunk.keys)
             self.population[symbol].append(chunk)
 
 
@@ -156,7 +159,7 @@ def taken(chunk, choices, moment):
         if matching is not None and choice.always:
             yield choice.templates[0], matching
         elif matching is not None:
-            which = np.searchsorted(choice.bounds, even(matching.keys, moment, 0), side="right")
+            which = drawn(choice.bounds, even(matching.keys, moment, 0))
             for number, template in enumerate((*choice.templates, None)):
                 chosen = np.flatnonzero(which == number)
                 if chosen.size:

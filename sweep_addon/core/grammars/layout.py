@@ -82,6 +82,7 @@ def runs(batch, begins, sizes):
         Where in the word that row begins, for each module that is replaced.
     """
     cursor, place = begins[batch.nodes], 0
+    cursor = cursor.copy() if isinstance(batch.nodes, slice) else cursor  # which goes on in place, module by module
     follows = {child: slice(first, first + batch.size) for child, first in batch.children.items()}
     if batch.inherits:
         sizes[batch.nodes] -= beside(batch, sizes)
@@ -89,10 +90,10 @@ def runs(batch, begins, sizes):
     for child in (*sorted(follows), len(batch.template.symbols)):
         if place < child:
             yield place, child, cursor
-            cursor = cursor + (child - place)
+            cursor += child - place
         if child in follows:
             begins[follows[child]] = cursor
-            cursor = cursor + sizes[follows[child]]
+            cursor += sizes[follows[child]]
         place = child + 1
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..expressions import DRAW
 from ..parameters import ShapeError
-from .draws import even
+from .draws import drawn, even
 from .evaluating import values
 
 FEW = 32  # kinds of modules, each of which is searched for by itself
@@ -111,31 +111,34 @@ def tried(state, waiting, choices, moment, links, check):
         if not waiting.size:
             return
         check()
-        site = Site(state, {0: waiting}, moment)
-        matches = matched(site, choice, links, known, check)
+        matches, site = matched(Site(state, {0: waiting}, moment), choice, links, known, check)
         if matches is None:
             waiting = waiting[:0]
-        else:
-            site = site.keep(matches)
+        elif matches.size:
             still = np.ones(len(waiting), dtype=bool)
             still[matches] = False
             waiting = waiting[still]
-        if choice.needed:
-            site = with_context(site, choice, links)
+        else:
+            continue
         yield from shared(site, choice)
 
 
 def matched(site, choice, links, known, check):
-    """Which modules of a site match context and condition; None for all of them."""
+    """Which modules of a site match context and condition, None for all of them; and these with their context."""
     found = None
     if choice.nodes and not known:
         found = context(site, choice, links, check)
-    if choice.condition is not None and (found is None or found.size):
-        site = with_context(site if found is None else site.keep(found), choice, links)
+        site = site.keep(found)
+    if found is not None and not found.size:
+        return found, site
+    if choice.needed:
+        site = with_context(site, choice, links)
+    if choice.condition is not None:
         holds = finite(site.values(choice.condition, choice.sources), choice.productions[0], "the condition") != 0
-        holds = np.flatnonzero(np.broadcast_to(holds, site.rows[0].shape))
-        found = holds if found is None else found[holds]
-    return found
+        if np.ndim(holds) or not holds:
+            holds = np.flatnonzero(holds)  # of one number that is 0, nothing
+            found, site = holds if found is None else found[holds], site.keep(holds)
+    return found, site
 
 
 def context(site, choice, links, check):
@@ -176,7 +179,7 @@ def shared(site, choice):
         if len(site.rows[0]):
             yield choice.templates[0], site
         return
-    which = np.searchsorted(choice.bounds, site.even(0), side="right")
+    which = drawn(choice.bounds, site.even(0))
     for number, template in enumerate(choice.templates):
         chosen = np.flatnonzero(which == number)
         if chosen.size:
@@ -185,7 +188,7 @@ def shared(site, choice):
 
 def finite(values, production, what):
     """The values, or a refusal that says of which production they are."""
-    if np.isfinite(np.sum(values)) or np.isfinite(values).all():
+    if np.isfinite(np.add.reduce(values, axis=None)) or np.isfinite(values).all():
         return values
     wrong = np.ravel(values)[~np.isfinite(np.ravel(values))][0]
     where = f"line {production.line}: " if production.line else ""

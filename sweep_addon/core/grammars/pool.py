@@ -129,8 +129,9 @@ class Pool:
         code = lookup.table.ravel()[key]
         busy = np.flatnonzero(code > self.none)
         changes, batches = [], []
-        for number in np.unique(code[busy]).tolist():
-            waiting = busy[code[busy] == number]
+        of_busy = code[busy]
+        for number in np.flatnonzero(np.bincount(of_busy)).tolist() if len(busy) else ():
+            waiting = busy[of_busy == number]
             for template, site in tried(self, waiting, lookup.lists[number - size], moment, self, self.meter.check):
                 values = self.evaluated(template, site)
                 if len(template.symbols) == 1:

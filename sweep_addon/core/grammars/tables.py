@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from ..expressions import DRAW
-from .draws import mixed, salts
+from .draws import mix, salts
 from .grouping import ROUNDING, grouped
 from .modules import CLOSE, ENVIRONMENT, OPEN, QUERIES
 from .statements import names
@@ -272,4 +272,4 @@ class Template:
 
     def child_keys(self, keys, place):
         """(m,) uint64 array: the keys of the modules at a place, from those of the modules that they replace."""
-        return keys if self.rule and len(self.symbols) == 1 else mixed(keys + self.salts[place])
+        return keys if self.rule and len(self.symbols) == 1 else mix(keys + self.salts[place])
