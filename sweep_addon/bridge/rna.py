@@ -89,8 +89,9 @@ def item_group(kind, update):
     return type(name, (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": summary(kind)})
 
 
+@cache
 def define(p, pointers, update):
-    """The property of one parameter."""
+    """The property of one parameter, whatever its name is where it is used."""
     default = stored(p, p.shown if p.default is None else p.default)
     common = {"name": label(p), "description": p.doc, "default": default, "update": update}
     if p.type in ASIDE:

@@ -220,6 +220,12 @@ def told(p, union, default):
     unit, doc = p.unit or union.unit, union.doc if p.shorthand else p.doc
     if default is p.default and unit is p.unit and doc is p.doc:
         return p
+    return said(p, default, unit, doc)
+
+
+@cache
+def said(p, default, unit, doc):
+    """A parameter of which unions say so, the same for all that do."""
     return changed(p, default=default, unit=unit, doc=doc)
 
 

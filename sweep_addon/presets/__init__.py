@@ -43,7 +43,7 @@ class Preset:
 
     @property
     def title(self):
-        return title(self.path.stem if self.group == GROWN else self.name)
+        return title(self.name.removeprefix(f"{GROWN}_"))
 
 
 def title(name):
