@@ -33,6 +33,21 @@ class OBJECT_OT_sweep_make_solid(Operator):
             cls.poll_message_set("Another solid is being made")
         return not cls.running
 
+    def execute(self, context):
+        """Make it at once: a script goes on when it is there."""
+        ob = context.active_object
+        if not (is_sweep(ob) and ob.data.is_editable and solving.is_wanted(ob.data)):
+            self.report({"ERROR"}, "The active object must be a sweep whose Make Solid is on")
+            return {"CANCELLED"}
+        work = solving.work_of(ob.data)
+        if work:
+            work.thread.join()
+            solving.finish(ob.data, work)
+        if ob.data.sweep.solid:
+            self.report({"ERROR"}, ob.data.sweep.solid)
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
     def invoke(self, context, event):
         ob = context.active_object
         if is_sweep(ob) and ob.data.sweep.solid:

@@ -68,12 +68,13 @@ def draw_tree(layout, context, ob):
     """What the tree is, what is wrong with it, its steps, and the parameters of the operand that is picked."""
     say = sentences(context)
     steps = trees.booleans(ob)
+    held = [trees.operand_of(step) for step in steps]
     used = {step.solver for step in steps}
     layout.label(text=summary(len(steps), used))
-    draw_warnings(layout, ob, steps, used, say)
+    draw_warnings(layout, ob, steps, held, used, say)
     picked = trees.picked(ob)
     row = layout.row()
-    draw_rows(row.column(align=True), ob, picked)
+    draw_rows(row.column(align=True), ob, steps, held, picked)
     draw_buttons(row.column(align=True), ob, picked)
     if picked and trees.operand_of(picked[1]):
         draw_operand(layout, trees.operand_of(picked[1]), say)
@@ -90,9 +91,9 @@ def draw_tree(layout, context, ob):
         row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
 
 
-def draw_rows(layout, ob, picked):
+def draw_rows(layout, ob, steps, held, picked):
     """A row for each step, of very many those about the one that is picked; a click on what is left out goes there."""
-    rows = list(lines(ob, 0, set()))
+    rows = list(lines(ob, steps, held, 0, {ob}))
     at = next((i for i, (owner, modifier, _) in enumerate(rows) if picked == (owner, modifier)), 0)
     first = max(0, min(at - MOST_ROWS // 2, len(rows) - MOST_ROWS))
     last = min(first + MOST_ROWS, len(rows))
@@ -117,20 +118,20 @@ def summary(count, used):
     return f"{count} operand{'' if count == 1 else 's'}, {solver}"
 
 
-def lines(ob, depth, entered):
+def lines(ob, steps, held, depth, entered):
     """Each step of a tree with the object that has it and how deep it is, those of an operand below its first one."""
-    entered.add(ob)
-    for modifier in trees.booleans(ob):
+    for modifier, operand in zip(steps, held, strict=True):
         yield ob, modifier, depth
-        operand = trees.operand_of(modifier)
         if operand and operand.modifiers and operand not in entered:
-            yield from lines(operand, depth + 1, entered)
+            entered.add(operand)
+            inner = trees.booleans(operand)
+            yield from lines(operand, inner, [trees.operand_of(step) for step in inner], depth + 1, entered)
 
 
-def draw_warnings(layout, ob, steps, used, say):
+def draw_warnings(layout, ob, steps, held, used, say):
     """What keeps the tree from being what it says, each with what mends it."""
-    fast, held = solvers.FAST in used, [trees.operand_of(step) for step in steps]
-    parts, mirrored = solvers.parts(ob)[:MOST_PARTS], ob.matrix_world.is_negative
+    fast = solvers.FAST in used
+    parts, mirrored = solvers.parts(ob, held)[:MOST_PARTS], ob.matrix_world.is_negative
     why = next(filter(None, (solvers.why_exact(part, mirrored, solvers.seems_closed) for part in parts)), "")
     lacking = solvers.lacking()
     if why or lacking:
@@ -140,6 +141,8 @@ def draw_warnings(layout, ob, steps, used, say):
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
     if meeting or bool(why or lacking) == fast:
         layout.operator("object.sweep_tree_choose_solver")
+    if trees.is_empty(ob):
+        say(layout, "Nothing is left: the steps take all of it away.", "ERROR")
     lost = [trees.is_lost(step) for step, operand in zip(steps, held, strict=True) if operand is None]
     if any(lost):
         say(layout, "An operand was deleted: its step does nothing.", "ERROR")
@@ -149,7 +152,7 @@ def draw_warnings(layout, ob, steps, used, say):
     if shared:
         sentence = "{0.name!r} is an operand of {1.name!r} too: Duplicate copies operands."
         say(layout, sentence.format(*shared), "INFO")
-    if trees.others(ob) or not all(lost):  # some take a collection
+    if len(ob.modifiers) > len(steps) and trees.others(ob) or not all(lost):  # some take a collection
         say(layout, "Modifiers that are no Booleans of an object are no part of the tree.", "INFO")
 
 

@@ -13,7 +13,8 @@ import bpy
 import numpy as np
 
 from .. import properties
-from ..bridge import objects
+from ..bridge import objects, trees
+from ..core.csg.meshes import EMPTY
 from ..core.parameters import require
 from . import studio
 from .camera import axes, fit, turned
@@ -46,6 +47,11 @@ def compose(job, name, frame=0):
     studio.paint(ob.data, job.render)
     stage([ob], job.render, frame)
     return ob
+
+
+def lacking(ob):
+    """What is to be told of an object that shows nothing: sentences for people."""
+    return (EMPTY,) if trees.is_empty(ob) else ()
 
 
 def empty():

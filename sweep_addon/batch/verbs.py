@@ -48,11 +48,12 @@ def build(told):
     from . import scene
 
     with pointing_at(job):
-        scene.compose(job, job.path.stem)
+        composed = scene.compose(job, job.path.stem)
+    missing = scene.lacking(composed)
     tell(f"writing {output.name}")
     save_model(output)
     say(output)
-    warn(job.path, meeting(job.shape).told)
+    warn(job.path, (*meeting(job.shape).told, *missing))
     return 0
 
 

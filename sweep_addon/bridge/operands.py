@@ -31,10 +31,11 @@ def combine(result, operands, operation):
     Raises
     ------
     ShapeError
-        Where an operand is made from the result; nothing is changed.
+        Where an operand is made from the result, or has been combined with it so just now; nothing is changed.
     """
     for operand in operands:
         require_apart(result, operand)
+        require_new(result, operand, BLENDERS[operation])
     bpy.context.view_layer.update()  # of where they stand
     told = [solvers.make_solid(part) for ob in (result, *operands) for part in solvers.parts(ob)]
     for operand in operands:
@@ -48,6 +49,17 @@ def require_apart(result, operand):
     """Refuse an operand that the result could not be made without being made first."""
     if operand == result or result in trees.made_from(operand):
         raise ShapeError(f"{operand.name!r} is made from {result.name!r}: that cannot be made from it in turn")
+
+
+def require_new(result, operand, operation):
+    """Refuse a step that would change nothing: the same one is among the last steps, and these are of one operation."""
+    for step in reversed(trees.booleans(result)):
+        if step.show_viewport and step.operation != operation:
+            return
+        if step.operation == operation and trees.operand_of(step) == operand:
+            muted = "" if step.show_viewport else ", which is muted"
+            said = f"{operand.name!r} is the operand of the step {step.name!r} of {result.name!r} already{muted}"
+            raise ShapeError(f"{said}: the same step once more would change nothing")
 
 
 def add_step(result, operation, operand):

@@ -104,19 +104,19 @@ def has_fast():
         bpy.data.batch_remove([*made, *(ob.data for ob in made)])
 
 
-def parts(ob):
-    """The objects whose own meshes a tree is of: the result and its operands, and theirs."""
-    found, todo = {}, [ob]
+def parts(ob, held=None):
+    """The objects whose own meshes a tree is of: the result and its operands, which may be known, and theirs."""
+    found, todo = ({}, [ob]) if held is None else ({ob: None}, list(filter(None, held)))
     while todo:
         new = [other for other in dict.fromkeys(todo) if other not in found]
         found |= dict.fromkeys(new)
-        todo = [operand for other in new if other.modifiers for operand in trees.operands(other)]
+        todo = [operand for other in new if len(other.modifiers) for operand in trees.operands(other)]
     return list(found)
 
 
 def mesh_of(ob):
     """The mesh that an object brings to a tree: its own if it is a tree itself, or as its modifiers leave it."""
-    if not ob.modifiers or trees.is_tree(ob):
+    if not len(ob.modifiers) or trees.is_tree(ob):
         return ob.data
     return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
 

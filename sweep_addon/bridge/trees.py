@@ -43,6 +43,11 @@ def is_lost(modifier):
     return modifier.operand_type == "OBJECT" and modifier.object is None
 
 
+def is_empty(ob):
+    """Whether nothing is left of a tree."""
+    return is_tree(ob) and not ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
+
+
 def others(ob):
     """The modifiers of a tree that are no part of it, but for the one that draws its cuts as edges."""
     return [modifier for modifier in ob.modifiers if modifier.type != "BOOLEAN" and not is_drawer(modifier)]

@@ -11,10 +11,14 @@ import json
 import re
 from dataclasses import is_dataclass
 
+from .later import later
 from .parameters import ShapeError, from_table, parameters, require, spelled
 from .plain import MIGRATIONS, VERSION, plain
 
+counted = later("core.csg.shared", "counted")
+
 LONGEST = 50_000_000  # bytes of a job
+MOST_WRITTEN = 100_000  # operands of a tree, each as often as it is named
 DEEPEST = 32  # tables and lists inside one another
 WIDEST = 100  # characters of a line that is written
 
@@ -139,7 +143,7 @@ def dump(shape):
     Raises
     ------
     ShapeError
-        For what is no shape, as a contour alone.
+        For what is no shape, as a contour alone, and for a tree that names its operands more than 100,000 times.
 
     Examples
     --------
@@ -149,6 +153,8 @@ def dump(shape):
     True
     """
     require(is_dataclass(shape) and hasattr(type(shape), "mesh"), "must be a shape", shape, "shape")
+    count = counted(shape)
+    require(count <= MOST_WRITTEN, f"must name at most {MOST_WRITTEN:,} operands to be written", count, "shape")
     return toml({"version": VERSION, **plain(shape)})
 
 

@@ -25,8 +25,9 @@ def individual(cls):
 
 
 def by_value(cls):
-    """The class with objects that are equal if their values are."""
-    cls.__eq__, cls.__hash__ = equal, hashed
+    """The class with objects that are equal if their values are; one that has ways of its own to tell keeps them."""
+    if "__eq__" not in vars(cls):
+        cls.__eq__, cls.__hash__ = equal, hashed
     return cls
 
 

@@ -86,6 +86,14 @@ def awaited():
     return [mesh for mesh in meshes if mesh.is_editable and not mesh.is_editmode]
 
 
+def is_wanted(mesh):
+    """Whether the shapes of a mesh are to be solids."""
+    try:
+        return any(map(wants_solid, objects.shapes(mesh)))
+    except ShapeError:
+        return False
+
+
 def work_of(mesh):
     """Begin the work of a mesh, or say on it why that cannot be: a `Work` or None."""
     try:

@@ -51,6 +51,16 @@ def test_check_answers_for_each_job(tmp_path, job, capsys):
     assert told.out.startswith(str(job))
 
 
+def test_check_tells_of_a_tree_of_which_nothing_is_left(tmp_path, capsys):
+    pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
+    path = tmp_path / "nothing.toml"
+    path.write_text(sw.dump(sw.solids.Block() - sw.solids.Block(9.0, 9.0, 9.0)))
+    assert main(["check", str(path)]) == 0
+    told = capsys.readouterr()
+    assert told.out == f"{path}: 0 vertices and 0 faces\n"
+    assert told.err == f"{path}: Tree: nothing is left: the steps take all of it away.\n"
+
+
 def test_a_key_of_two_lines_is_told_in_one(tmp_path, capsys):
     job = tmp_path / "job.toml"
     job.write_text('kind = "generalized-cylinder"\n"con\\ntour" = 1\n')

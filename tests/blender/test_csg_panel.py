@@ -171,3 +171,12 @@ def test_a_draw_of_fifty_operands_is_few_calls_about_the_one_that_is_picked(scen
         assert calls.count("operation") == 10 and len(calls) < MOST_CALLS
     seconds = min(timeit.repeat(lambda: drawn(body), number=5, repeat=3)) / 5
     print(f"\ndraw of a tree of 50 operands: {len(calls)} calls of the layout, {seconds * 1000:.2f} ms in Python")
+
+
+def test_a_tree_of_which_nothing_is_left_says_so(scene):
+    body = result()
+    assert "Nothing is left" not in " ".join(drawn(body))
+    whole = cube(9.0, name="whole")
+    operands.combine(body, [whole], "difference")
+    bpy.context.view_layer.update()
+    assert "Nothing is left" in " ".join(drawn(body))

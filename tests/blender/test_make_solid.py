@@ -131,3 +131,19 @@ def test_the_option_stands_where_the_warning_is(scene):
     finding.find(ob.data)
     lines = drawn(ob)
     assert lines.index("make_solid") > lines.index("object.sweep_select_self_intersections")
+
+
+def test_a_script_makes_a_solid_at_once(scene, window):
+    """Where there is a window the surface stands until the operator is called, which returns with the solid."""
+    ob = spindle(make_solid=True)
+    surface = volume(ob.data)
+    select(ob)
+    assert ob.data.sweep.solid == live.AWAITED
+    assert bpy.ops.object.sweep_make_solid() == {"FINISHED"}
+    assert not ob.data.sweep.solid and volume(ob.data) > 1.02 * surface
+
+
+def test_a_script_that_asks_for_the_solid_of_what_is_none_hears_why(scene):
+    select(spindle())
+    with pytest.raises(RuntimeError, match="must be a sweep whose Make Solid is on"):
+        bpy.ops.object.sweep_make_solid()

@@ -12,7 +12,7 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import cube, doubled, select, shown
 
 import sweep_addon as sw
-from sweep_addon.bridge import trees
+from sweep_addon.bridge import operands, trees
 
 BLOCK = sw.TranslationalSweep(sw.contours.Rectangle(2.0, 2.0), height=1.0)
 BAR = sw.TranslationalSweep(sw.contours.Rectangle(1.0, 1.0), height=3.0)
@@ -145,3 +145,20 @@ def test_presets_of_trees_are_added_where_the_cursor_is(scene):
     ob = bpy.context.active_object
     assert ob.select_get() and trees.is_tree(ob) and tuple(ob.location) == (1, 2, 3)
     assert shown(ob).volume() == pytest.approx(sw.presets.shape("sweep_csg_two_triangles").mesh().volume(), rel=1e-5)
+
+
+def test_the_same_step_once_more_is_refused(scene):
+    """What was taken away is not there to be taken again; after a step of another kind it may be."""
+    body, tool, other = cube(2.0), cube(1.0, name="tool"), cube(1.0, name="other")
+    tool.location, other.location = (1, 0, 0), (0, 1, 0)
+    for each in (tool, other):
+        operands.combine(body, [each], "difference")
+    with pytest.raises(sw.ShapeError, match="'tool' is the operand of the step 'Difference' of"):
+        operands.combine(body, [tool], "difference")
+    assert len(trees.booleans(body)) == 2
+    operands.combine(body, [tool], "union")
+    operands.combine(body, [tool], "difference")
+    assert len(trees.booleans(body)) == 4
+    trees.booleans(body)[-1].show_viewport = False
+    with pytest.raises(sw.ShapeError, match="already, which is muted"):
+        operands.combine(body, [tool], "difference")

@@ -146,3 +146,39 @@ def test_how_deep_a_tree_is_asks_a_shared_operand_once(monkeypatch):
     asked, inside = [], trees.inside
     monkeypatch.setattr(trees, "inside", lambda node: asked.append(node) or inside(node))
     assert trees.depth(tree) == 12 and len(asked) <= 3 * 13
+
+
+def doubled(times):
+    """A union that names one solid two to the power of so many times, from a new beginning."""
+    tree = sw.solids.Block() | sw.solids.Ball()
+    for _ in range(times):
+        tree = sw.Tree(tree, [("union", tree)])
+    return tree
+
+
+def test_operands_that_are_shared_are_walked_once():
+    """Named a million million times they would else take longer than anybody waits."""
+    tree, twin = doubled(40), doubled(40)
+    assert tree == twin and hash(tree) == hash(twin)
+    assert tree != doubled(39) and hash(tree) != hash(doubled(39))
+    assert " operands)" in str(tree) and len(str(tree)) < 10_000 and len(repr(tree)) < 10_000
+    with pytest.raises(sw.ShapeError, match=f"must name at most 100,000 operands to be written, got {2**41}"):
+        sw.dump(tree)
+
+
+def test_equal_trees_are_equal_however_they_share():
+    block, ball = sw.solids.Block(), sw.solids.Ball()
+    apart = sw.Tree(block | ball, [("difference", sw.solids.Block() | sw.solids.Ball())])
+    one = block | ball
+    together = sw.Tree(one, [("difference", one)])
+    assert apart == together and hash(apart) == hash(together)
+    assert together != sw.Tree(one, [("union", one)])
+    assert sw.load(sw.dump(together)) == together
+    assert together != "tree"
+
+
+def test_a_tree_of_which_nothing_is_left_says_so():
+    pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
+    mesh = (sw.solids.Block() - sw.solids.Block(9.0, 9.0, 9.0)).mesh()
+    assert len(mesh.vertices) == 0 and mesh.volume() == 0
+    assert mesh.told == ("Tree: nothing is left: the steps take all of it away.",)

@@ -82,6 +82,9 @@ def test_a_layer_may_be_chosen():
         space.add_circle((9, 0), 2, dxfattribs={"layer": "TEXT"})
 
     assert sw.contours.from_dxf(drawing(draw), layer="CUT").area == pytest.approx(pi, rel=1e-12)
+    sentence = "layer: must be one of the layers that have something drawn, 'CUT', 'TEXT', got 'nope'"
+    with pytest.raises(sw.ShapeError, match=sentence):
+        sw.contours.from_dxf(drawing(draw), layer="nope")
 
 
 def test_a_job_may_name_a_drawing(tmp_path):

@@ -61,7 +61,10 @@ def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
     layer = argument("layer", layer, str)
     data, subject = content(text_or_path, "DXF", MARK, LARGEST)
     with about(subject):
-        drawing, chains = read(data, layer)
+        drawing, chains, layers = read(data, layer)
+        if layer and layer not in layers:
+            there = ", ".join(map(repr, sorted(layers))) or "none with lines, arcs or polylines"
+            raise ShapeError(f"must be one of the layers that have something drawn, {there}, got {layer!r}", "layer")
         scale = scale or METRES.get(drawing.header.get("$INSUNITS", 0), 1.0)
         loops = closed_loops(chains)
         if not loops:
@@ -75,7 +78,7 @@ def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
 
 
 def read(data, layer):
-    """The drawing in some bytes, and the chains of edges that its entities draw."""
+    """The drawing in some bytes, the chains of edges that its entities draw, and the layers on which any is drawn."""
     library("ezdxf", "ezdxf")
     from ezdxf import recover
     from ezdxf.disassemble import recursive_decompose
@@ -83,13 +86,14 @@ def read(data, layer):
     try:
         drawing, _ = recover.read(BytesIO(data))
         entities = list(islice(recursive_decompose(drawing.modelspace()), MOST + 1))
-        wanted = [entity for entity in entities if entity.dxftype() in DRAWN and layer in ("", entity.dxf.layer)]
+        drawn = [entity for entity in entities if entity.dxftype() in DRAWN]
+        wanted = [entity for entity in drawn if layer in ("", entity.dxf.layer)]
         chains = [chain for entity in wanted[:MOST] for chain in edges_of(entity)]
     except Exception as error:  # the parser meets what is no DXF in ways of its own
         raise ShapeError(f"must be DXF, got an error: {' '.join(str(error).split())}") from error
     if len(entities) > MOST:
         raise ShapeError(f"must have at most {MOST:,} entities, those of blocks each time they are drawn, got more")
-    return drawing, chains
+    return drawing, chains, {entity.dxf.layer for entity in drawn}
 
 
 def edges_of(entity):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The meshes of trees: each operand's closed mesh, and set operations of them by manifold3d."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from .. import booleans
@@ -14,12 +16,14 @@ from ..translational_sweep import TranslationalSweep
 from .placed import Placed
 from .tree import Tree
 
+EMPTY = "Tree: nothing is left: the steps take all of it away."
 FACES = 1 << 32  # numbers for the faces of each operand
 
 
 def evaluated(tree):
-    """The boundary of a `Tree` as a closed `Mesh` of triangles."""
-    return mesh_of(body(tree, {}))
+    """The boundary of a `Tree` as a closed `Mesh` of triangles, which tells if there is none."""
+    mesh = mesh_of(body(tree, {}))
+    return mesh if len(mesh.vertices) else replace(mesh, told=(EMPTY,))
 
 
 def body(operand, made):

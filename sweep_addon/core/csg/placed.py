@@ -4,9 +4,12 @@
 
 import numpy as np
 
+from ..later import later
 from ..operand import Operand
 from ..parameters import Array, declared, parameter, require
 from ..solids import Block
+
+line, shared_hash, shared_equal = (later("core.csg.shared", name) for name in ("line", "hashed", "equal"))
 
 NOWHERE = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0))
 FLATTEST = 1e-9  # of the product of its columns' lengths: a smaller determinant flattens
@@ -55,10 +58,14 @@ class Placed(Operand):
 
         return transformed(mesh, self.axes, self.origin)
 
-    def __str__(self):
-        from .tree import told
+    def __hash__(self):
+        return shared_hash(self)
 
-        return told(self.solid, nested=False)
+    def __eq__(self, other):
+        return shared_equal(self, other)
+
+    def __str__(self):
+        return line(self)
 
 
 def moved(solid, by):

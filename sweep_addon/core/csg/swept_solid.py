@@ -12,6 +12,7 @@ from .rigid import RigidMotion
 closed_mesh = later("core.csg.meshes", "closed_mesh")
 GeneralSweep = later("core.general_sweep", "GeneralSweep")
 Triangles = later("core.solids", "Triangles")
+line, shared_hash, shared_equal = (later("core.csg.shared", name) for name in ("line", "hashed", "equal"))
 
 Moving = Trajectory | RigidMotion
 
@@ -57,7 +58,11 @@ class SweptSolid(Operand):
         """The motion, that along a trajectory alone as one that does not turn."""
         return self.motion if isinstance(self.motion, RigidMotion) else RigidMotion(self.motion)
 
-    def __str__(self):
-        from .tree import told
+    def __hash__(self):
+        return shared_hash(self)
 
-        return f"sweep({told(self.solid, nested=False)})"
+    def __eq__(self, other):
+        return shared_equal(self, other)
+
+    def __str__(self):
+        return line(self)

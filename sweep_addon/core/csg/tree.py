@@ -4,16 +4,19 @@
 
 from enum import Enum
 
+from ..frozen import written
 from ..later import later
 from ..operand import Operand
-from ..parameters import declared, parameter, require, spelled
+from ..parameters import declared, parameter, require
 from ..solids import Block
 
-evaluated = later("core.csg.meshes", "evaluated")
+evaluated, inside = later("core.csg.meshes", "evaluated"), later("core.csg.shared", "inside")
+line, shared_hash, shared_equal = (later("core.csg.shared", name) for name in ("line", "hashed", "equal"))
+counted = later("core.csg.shared", "counted")
 
 MOST_STEPS = 2_000
+MOST_WRITTEN = 1_000  # operands, each as often as it is named, that are told with all their values
 DEEPEST = 100  # trees inside one another
-SIGNS = {"union": "|", "intersection": "&", "difference": "-"}
 
 
 class Operation(Enum):
@@ -83,27 +86,17 @@ class Tree(Operand):
         """The same: what set operations leave is a solid."""
         return self.mesh()
 
+    def __hash__(self):
+        return shared_hash(self)
+
+    def __eq__(self, other):
+        return shared_equal(self, other)
+
     def __str__(self):
-        line, before = told(self.base, nested=not isinstance(self.base, Tree)), last_sign(self.base)
-        for step in self.steps:
-            sign = SIGNS[spelled(step.operation)]
-            line = f"({line})" if before not in (None, sign) else line
-            line, before = f"{line} {sign} {told(step.operand)}", sign
-        return line
+        return line(self)
 
-
-def last_sign(operand):
-    """The sign of the last step of a tree, None where there is none."""
-    steps = operand.steps if isinstance(operand, Tree) else ()
-    return SIGNS[spelled(steps[-1].operation)] if steps else None
-
-
-def told(operand, nested=True):
-    """An operand as the line of a tree names it, in brackets if it is an expression within another."""
-    if type(operand).__str__ is object.__str__:
-        return type(operand).__name__
-    line, one = str(operand), type(operand).__name__ == "SweptSolid"
-    return f"({line})" if nested and " " in line and not one else line
+    def __repr__(self):
+        return written(self) if counted(self) <= MOST_WRITTEN else f"<Tree {self}>"
 
 
 def combined(left, operation, right):
@@ -119,10 +112,3 @@ def depth(tree):
         deepest += any(isinstance(node, Tree) for node in level)
         level = list({id(inner): inner for node in level for inner in inside(node)}.values())
     return deepest
-
-
-def inside(node):
-    """The operands of a node; none of a leaf."""
-    if isinstance(node, Tree):
-        return (node.base, *(step.operand for step in node.steps))
-    return tuple(part for part in vars(node).values() if isinstance(part, Operand))
