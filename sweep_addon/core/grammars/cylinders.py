@@ -16,7 +16,7 @@ Mech, Prusinkiewicz, Hanan: Extensions to the Graphical Interpretation of L-syst
 
 import numpy as np
 
-from ..parameters import ShapeError
+from ..parameters import ShapeError, require
 from . import turns
 from .branches import Branches
 from .modules import CLOSE, OPEN
@@ -25,7 +25,7 @@ from .stepping import State
 MARKS, TANGENTS = ("@Gs", "@Gc", "@Ge"), "@Gt"
 BEGUN, OPENED = 1, (1, 2)  # kinds of marks, from 1
 SEGMENTS = 8  # between two control points, where nothing is said
-MOST_SEGMENTS = 1000
+MOST_SEGMENTS, MOST = 1000, 20_000_000  # between two control points, and modules of a word with all segments
 APART = 1.2  # by how much tangents are longer than the points are apart, where nothing is said
 
 
@@ -69,6 +69,7 @@ class Cylinders:
 
         times = np.ones(len(symbols), dtype=np.intp)
         times[places] = segments(word, places)
+        require(times.sum() <= MOST, f"must have at most {MOST:,} segments", int(times.sum()), MARKS[1])
         stop = np.cumsum(times)
         of = np.repeat(np.arange(len(symbols)), times)
         nth = np.arange(len(of)) - (stop - times)[of]

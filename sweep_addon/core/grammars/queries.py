@@ -88,7 +88,7 @@ def answered(state, tables, generation, seed, meter, environment=None):
     told = homomorphic(numbered, tables, generation, meter)
     walk = Walk(Word(tables, told, generation, seed), stops=tuple(tables.queries))
     figure = walk.figure()
-    module = told.columns[-1][walk.moves].astype(np.intp) - 1  # of the word at each move; -1 of what stands for others
+    module = walk.word.columns[-1][walk.moves].astype(np.intp) - 1  # at each move; -1 of what stands for others
     stops = np.flatnonzero(np.isin(walk.symbols[walk.moves], list(tables.queries)) & (module >= 0))
     module, at, orientations = module[stops], figure.moves_end[stops], turns.taken(figure.orientations(), stops)
 

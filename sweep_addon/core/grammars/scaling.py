@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..parameters import ShapeError
+from ..parameters import ShapeError, require
 
 LENGTH, ANGLE, WIDTH = "@Sl", "@Sa", "@Sw"
 
@@ -44,4 +44,7 @@ def scaled(walk, name, places, since=None):
     if since is not None:
         known = since >= 0
         powers[known] -= total[walk.branches.before(since[known], chosen)]
-    return factors[0] ** np.rint(powers) if same else np.exp(powers)
+    with np.errstate(over="ignore"):
+        found = factors[0] ** np.rint(powers) if same else np.exp(powers)
+    require(np.isfinite(found).all(), "must come to a finite scale", found.max(initial=0), name)
+    return found

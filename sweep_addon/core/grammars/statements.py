@@ -19,7 +19,7 @@ from .vocabulary import draws, formula, words
 
 BLOCKS = ("start", "start_each", "end_each", "end")
 MOMENTS = 400  # where moments of the blocks begin, in each step
-MOST_VARIABLES = 1000
+MOST_VARIABLES, MOST_STATEMENTS = 1000, 1000  # of a text, and of a line
 
 
 @frozen
@@ -53,7 +53,10 @@ def parts(passage):
         if letter == ";":
             found.append(passage.part(begin, at))
             begin = at + 1
-    return [part for part in found if part.text]
+    found = [part for part in found if part.text]
+    if len(found) > MOST_STATEMENTS:
+        passage.refuse(f"at most {MOST_STATEMENTS} statements in a line", 0, f"{len(found)}")
+    return found
 
 
 def assigned(passage):

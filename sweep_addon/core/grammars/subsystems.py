@@ -12,7 +12,7 @@ Hanan: Virtual Plants, Integrating Architectural and Physiological Models, 1997;
 
 import numpy as np
 
-from ..parameters import ShapeError
+from ..parameters import ShapeError, require
 from .filling import levels
 from .neighbours import narrow
 
@@ -98,7 +98,9 @@ class Regions:
         logs[ends] = -logs[self.opener[ends]]
         powers = np.cumsum(logs)
         within = self.opener >= 0
-        found[within] = np.exp(powers[within])
+        with np.errstate(over="ignore"):
+            found[within] = np.exp(powers[within])
+        require(np.isfinite(found).all(), "must come to a finite scale", found.max(), BEGINS)
         outer = begins[self.outermost(begins)]  # whose scales need no rounding
         plain = within & ~self.closing & np.isin(self.opener, outer)
         found[plain] = self.state.columns[1][self.opener[plain]]

@@ -64,7 +64,7 @@ class Tokens:
         for number, axis, sense, count in named:
             at = np.flatnonzero(symbols == number) if count or scaled else ()
             if len(at):
-                angle = walk.angles(places[at])
+                angle = np.broadcast_to(walk.angles(places[at]), at.shape)
                 angle = angle[0] if (angle == angle[0]).all() else angle
                 z[at], w[at] = turns.rotation(axis, sense * angle)
         return z, w

@@ -34,6 +34,7 @@ KEYWORDS = {  # what a line of the book says in its place; None where it says no
     "angle factor": "#angle 360/({})",
     "initial line width": "#width {}",
 }
+SPELLED = {word.replace(" ", ""): word for word in KEYWORDS}  # blanks in them do not matter
 VIEW = """viewpoint|view reference point|view|projection|front distance|back distance|scale factor|z buffer|cue range
 |shade mode|render mode|light direction|light|diffuse reflection|line style|contour sides|polygonization level|winfont
 |font|window|window border|viewing angle|background scene|shadow map|box|initial color|line width increment
@@ -44,15 +45,22 @@ PATTERN = re.compile(
     r"\s*(" + "|".join(word.replace(" ", r"\s*") for word in KEYWORDS) + r")\b\s*:?(.*)", re.IGNORECASE | re.DOTALL
 )
 SHOWN = re.compile(rf"\s*(?:{VIEW.replace(' ', chr(92) + 's*')})\s*:.*", re.IGNORECASE)
-NOTHING = re.compile(rf"\s*(?:{'|'.join(ZERO)})\s*:\s*0*\.?0*\s*|\s*color increment\s*:\s*1\s*", re.IGNORECASE)
-NAMES = re.compile(r"@G[scet]|@[!-~]|\?[A-Z]|[!-~]")
+NOTHING = re.compile(rf"\s*(?:{'|'.join(ZERO)})\s*+:\s*+0*+(?:\.0*+)?+\s*|\s*color increment\s*:\s*1\s*", re.IGNORECASE)
 SAME = frozenset("Ff+-&^\\/|[]{}.%~G$")
 RENAMED = {";": "'", ",": "'", "!": "!", "#": "!"}
 KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "@Gt", "?P", "?H", "?L", "?U", "?E")
 ORGANS = {"@O": "sphere", "@o": "circle", "@c": "circle"}  # of the diameter that they say
 MOVES = "g"  # without a line or a vertex
-BLOCK = re.compile(r"\s*(start|end)\s*(each)?\s*:(.*)", re.IGNORECASE | re.DOTALL)
+BLOCK = re.compile(r"\s*(start|end)\s*+(each)?\s*+:(.*)", re.IGNORECASE | re.DOTALL)
 GRANTED = "maximum depth: 1"  # of a homomorphism and a decomposition, where the text says nothing
+
+
+def named(text, at):
+    """The name of the module at a place: of what begins with @ two letters, or three after @G, and of queries two."""
+    long = text[at : at + 3]
+    if long[:2] == "@G" and long[2:] in ("s", "c", "e", "t"):
+        return long
+    return long[:2] if long[0] == "@" or long[0] == "?" and long[1:2].isupper() else long[0]
 
 
 def translated(lines):
@@ -93,7 +101,8 @@ class Reader:
             return self.block(block, source)
         keyword = PATTERN.fullmatch(line)
         if keyword and "-->" not in line:
-            return self.keyword(" ".join(keyword[1].lower().split()), Passage(keyword[2], source.number), source)
+            word = SPELLED["".join(keyword[1].lower().split())]
+            return self.keyword(word, Passage(keyword[2], source.number), source)
         return self.production(line, source) if line.strip() else ""
 
     def block(self, match, source):
@@ -108,11 +117,10 @@ class Reader:
         if word == "lsystem":
             self.systems += 1
             return f"lsystem {rest.text}:" if self.systems > 1 else ""
-        if self.systems > 1 and word not in ("endlsystem", "axiom", "derivation length", "derivationlength"):
+        if self.systems > 1 and word not in ("endlsystem", "axiom", "derivation length"):
             source.refuse("productions of the sub-system alone", 0, shown(source.text))
         if self.systems > 1 and word != "endlsystem":
             return ""  # of the first system alone
-        word = {"derivationlength": "derivation length", "maximumdepth": "maximum depth"}.get(word, word)
         if word in ("decomposition", "homomorphism"):
             self.section, self.depths[word] = word, GRANTED
             return f"{word}:"
@@ -121,7 +129,7 @@ class Reader:
         if word == "maximum depth":
             self.depths[self.section] = ""
         if word in ("ignore", "consider"):
-            told = " ".join(RENAMED.get(said.name, said.name) for said in modules(rest, NAMES) if said.name not in "[]")
+            told = " ".join(RENAMED.get(said.name, said.name) for said in modules(rest, named) if said.name not in "[]")
             return KEYWORDS[word].format(told)
         told = self.word(rest) if word == "axiom" else rest.text
         return KEYWORDS[word].format(told) if KEYWORDS[word] else ""
@@ -140,7 +148,7 @@ class Reader:
         colon = outside(head, ":")
         contexts, condition = (head[:colon], head[colon + 1 :].strip()) if colon >= 0 else (head, "")
         before, condition, behind = parted(condition, source)
-        own = Locals(tuple(self.variables), source)
+        own = Locals(tuple(self.variables), source, self.pasting.spend)
         own.assign(before)
         condition = own.told(condition)
         own.assign(behind)
@@ -159,7 +167,7 @@ class Reader:
     def heads(self, passage):
         """The modules of a predecessor or a context, which are renamed and nothing else."""
         found = []
-        for said in modules(passage, NAMES):
+        for said in modules(passage, named):
             if said.name in ("#", ",", *ORGANS):
                 unknown(passage, said, f"modules other than {said.name}")
             found.append(said.told(RENAMED.get(said.name, said.name)))
@@ -167,7 +175,7 @@ class Reader:
 
     def word(self, passage, own=None):
         """A word in the symbols of the book."""
-        found = modules(passage, NAMES)
+        found = modules(passage, named)
         if own:
             found = [said._replace(parameters=tuple(map(own.told, said.parameters))) for said in found]
         return " ".join(self.module(passage, said) for said in found)

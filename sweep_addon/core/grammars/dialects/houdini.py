@@ -10,11 +10,13 @@ book turn left, down and to the left.
 
 import re
 
+from ..draws import DRAWS
 from ..passages import Passage, PassageError, shown
 from ..productions import around
 from .words import last_outside, modules, outside, unknown
 
-SETTING = re.compile(r"\s*([A-Za-z][A-Za-z ]*?)\s*(\d*)\s*:(?!.*=)\s*(.*)|\s*(premise|rule)\s*\d*\s*[:=]\s*(.*)", re.I)
+WORDS = re.compile(r"[A-Za-z]+(?: +[A-Za-z]+)* *\d*")  # before the colon of a setting
+LONGEST_WORDS = 40
 SETTINGS = {  # what a line of the book says in its place
     "generations": "#generations {}",
     "random seed": "#seed {}",
@@ -41,6 +43,7 @@ SCALES = {  # symbols that scale what others say nothing of: the scale, its sett
 HALVES = {"H": "F", "h": "f"}
 LEAVES = "JKM"
 UNKNOWN = {"T": "by how much it bends", "'": "texture coordinates", "#": "texture coordinates", "g": "groups"}
+MOST_WILD = DRAWS // 3  # modules ~ of a word, each of which is told by three random numbers
 TURNED = 180  # degrees that ~ turns by at most, where it says nothing
 VALUE = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
 
@@ -67,30 +70,26 @@ class Reader:
         self.values = {}
 
     def note(self, passage):
-        match = SETTING.fullmatch(passage.text)
-        if match and match[1] and VALUE.fullmatch(match[3]):
-            self.values[" ".join(match[1].lower().split())] = match[3]
+        word, value = said(passage)
+        if word and VALUE.fullmatch(value.text):
+            self.values[word] = value.text
 
     def line(self, passage):
         text = passage.text
-        if not text or text.startswith("#dialect") or re.match(r"#(\s|$)", text):
+        if not text or text.startswith("#dialect") or text == "#" or text.startswith("#") and text[1].isspace():
             return text
-        match = SETTING.fullmatch(text)
-        if match and match[1] and match[1].lower() not in ("premise", "rule"):
-            return self.setting(passage, match)
-        first = match and (match[4] or match[1])
-        if first:
-            passage = passage.part(match.start(5) if match[4] else match.start(3))
-        if first and first.lower() == "premise":
-            return f"axiom: {self.word(passage)}"
-        return self.rule(passage)
+        word, rest = said(passage)
+        kind = word.split()[0] if word else ""
+        if kind == "premise":
+            return f"axiom: {self.word(rest)}"
+        return self.rule(rest) if kind in ("", "rule") else self.setting(word, rest, passage)
 
-    def setting(self, passage, match):
-        word, value = " ".join(match[1].lower().split()), passage.part(match.start(3))
+    def setting(self, word, value, passage):
         if word == "context ignore":
             return SETTINGS[word].format(self.symbols(value))
         if word not in SETTINGS and word not in KEPT:
-            passage.refuse(f"a premise, a rule as A=FA, or one of {', '.join((*SETTINGS, *KEPT))}", 0, shown(word))
+            known = ", ".join((*SETTINGS, *KEPT))
+            passage.refuse(f"a premise, a rule as A=FA, or one of {known}", 0, shown(word))
         if not VALUE.fullmatch(value.text):
             value.refuse("a number", 0, shown(value.text))
         return SETTINGS.get(word, "").format(value.text)
@@ -127,7 +126,11 @@ class Reader:
 
     def word(self, passage):
         """A word in the symbols of the book."""
-        return " ".join(self.module(passage, said) for said in modules(passage))
+        found = modules(passage)
+        wild = sum(each.name == "~" for each in found)
+        if wild > MOST_WILD:
+            passage.refuse(f"at most {MOST_WILD} modules ~", 0, f"{wild}")
+        return " ".join(self.module(passage, each) for each in found)
 
     def module(self, passage, said):
         name, parameters = said.name, said.parameters
@@ -166,6 +169,23 @@ class Reader:
         if setting not in self.values:
             unknown(passage, said, f"a number in brackets, or a line '{setting}: ...'")
         return self.values[setting]
+
+
+def said(passage):
+    """The words before the colon of a line, and what is behind it; no words and the line where it is a rule.
+
+    >>> said(Passage("Step  size: 2", 1))[0], said(Passage("rule 1: A=B", 1))[0], said(Passage("A:i<2=B", 1))[0]
+    ('step size', 'rule 1', '')
+    """
+    before, colon, behind = passage.text[: LONGEST_WORDS + 1].partition(":")
+    if not colon:
+        before, colon, behind = passage.text[: LONGEST_WORDS + 1].partition("=")
+        colon = colon if before.split()[:1] == ["premise"] else ""
+    words = " ".join(before.lower().split())
+    named = words.split()[:1] and words.split()[0] in ("premise", "rule")
+    if not colon or not WORDS.fullmatch(before.strip()) or not named and "=" in passage.text:
+        return "", passage
+    return words, passage.part(len(before) + 1)
 
 
 def plain(name):

@@ -8,7 +8,7 @@ from ..passages import shown
 from .pasting import LONGEST
 
 NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*", re.ASCII)
-ASSIGNED = re.compile(r"\s*([A-Za-z_]\w*)\s*=(?!=)\s*(.+?)\s*", re.ASCII | re.DOTALL)
+ASSIGNED = re.compile(r"([A-Za-z_]\w*)\s*=(?!=)\s*(.+)", re.ASCII | re.DOTALL)
 CHANCE = re.compile(r"\bn?ran\s*\(")
 KEYWORDS = ("if", "while", "do", "else", "array")
 
@@ -22,15 +22,17 @@ class Locals:
         Variables of the whole derivation, which no production may change here: modules are replaced all at once.
     source : Passage
         The line.
+    spend : callable
+        Counts characters that are made.
     """
 
-    def __init__(self, shared, source):
-        self.known, self.shared, self.source = {}, shared, source
+    def __init__(self, shared, source, spend):
+        self.known, self.shared, self.source, self.spend = {}, shared, source, spend
 
     def assign(self, text):
         """Take the statements between two braces."""
         for part in filter(str.strip, text.split(";")):
-            match = ASSIGNED.fullmatch(part)
+            match = ASSIGNED.fullmatch(part.strip())
             if not match or match[1] in KEYWORDS or CHANCE.search(match[2]):
                 self.source.refuse("statements as x = 2*y, without chance", 0, shown(part.strip()))
             if match[1] in self.shared:
@@ -44,6 +46,7 @@ class Locals:
         found = NAME.sub(lambda match: self.known.get(match.group(), match.group()), text)
         if len(found) > LONGEST:
             self.source.refuse(f"at most {LONGEST} characters where statements are told in full", 0, f"{len(found)}")
+        self.spend(len(found), self.source)
         return found
 
 

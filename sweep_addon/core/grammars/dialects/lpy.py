@@ -13,6 +13,7 @@ It takes widths as radii, turns by 60 degrees where nothing is said, and derives
 
 import re
 
+from ..modules import NAME
 from ..passages import Passage, PassageError, shown
 from ..productions import around
 from ..turtle import EDGE
@@ -22,7 +23,7 @@ DECLARED = re.compile(r"module\s+(.+)")
 VALUE = re.compile(r"([A-Za-z_]\w*)\s*=(?!=)\s*(.+)", re.ASCII)
 SECTION = re.compile(
     r"(axiom|derivation\s+length|production|decomposition|homomorphism|interpretation|maximum\s+depth|ignore|consider"
-    r"|group)\b\s*(\d*)\s*:\s*(.*)|(endlsystem|endgroup)\s*",
+    r"|group)\b\s*+(\d*+)\s*+:\s*(.*)|(endlsystem|endgroup)\s*",
     re.IGNORECASE,
 )
 VIEW = re.compile(r"#+ INITIALISATION #+\s*")  # where L-Py's editor begins to write how a model is shown
@@ -42,7 +43,8 @@ LineTo OLineTo LineRel OLineRel Sphere Box Quad Circle Label surface PglShape Fr
 SetGuide EndGuide Sweep PositionOnGuide DecColor InterpolateColors Elasticity Tropism GetRight GetFrame TextureBaseColor
 InterpolateTextureBaseColors TextureScale TextureUScale TextureVScale TextureVCoeff TextureTranslation TextureRotation
 TextureTransformation MouseIns newmodule repexp GetIterator GetModule""".split()
-SIGNS = r"@[A-Z][a-z]?|@[a-z]|@\dD|\?[A-Z]|=\]|[!-~]"
+SIGNS = re.compile(r"@[A-Z][a-z]?|@[a-z]|@\dD|\?[A-Z]|=\]|[!-~]")
+LONGEST_NAME = 64  # letters of a name, as in the book
 
 
 def translated(lines):
@@ -67,8 +69,8 @@ class Reader:
         found = [DECLARED.match(line.partition("#")[0].strip()) for line in lines]
         declared = [name for match in filter(None, found) for name in re.findall(r"([A-Za-z_]\w*)", bare(match[1]))]
         self.declared = dict.fromkeys(declared)
-        spelled = sorted({*declared, *(name for name in (*NAMES, *OTHERS) if name.isalnum())}, key=len, reverse=True)
-        self.names = re.compile("|".join(map(re.escape, spelled)) + "|" + SIGNS)
+        self.known = {*declared, *(name for name in (*NAMES, *OTHERS) if name.isalnum())}
+        self.longest = min(max(map(len, self.known)), LONGEST_NAME)
         self.section, self.python, self.depths = "", False, dict.fromkeys(DEPTHS, "")
 
     def line(self, passage):
@@ -160,7 +162,15 @@ class Reader:
         return said.told()
 
     def modules(self, passage):
-        return modules(passage, self.names)
+        return modules(passage, self.named)
+
+    def named(self, text, at):
+        """The longest declared name at a place, or the sign or letter there."""
+        if not (text[at].isalpha() or text[at] == "_"):
+            return SIGNS.match(text, at)[0] if SIGNS.match(text, at) else text[at]
+        run = NAME.match(text[at : at + self.longest])
+        longest = run.end() if run else 1
+        return next((text[at : at + k] for k in range(longest, 1, -1) if text[at : at + k] in self.known), text[at])
 
     def formula(self, passage, whole=None, said=None):
         """A formula, which is text here as there, where it has no angles."""

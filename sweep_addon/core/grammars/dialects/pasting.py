@@ -9,8 +9,9 @@ from ..passages import Passage, shown
 COMMENT = re.compile(r"/[*/]")
 DEFINED = re.compile(r"\s*#\s*define\s+([A-Za-z_]\w*)(\(([^()]*)\))?\s*(.*)", re.DOTALL)
 NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-STATED = re.compile(r"\s*(?:start|end)\s*(?:each)?\s*:|(?!\s*axiom)[^{]*:\s*\{(?!.*-->)", re.IGNORECASE)
+STATED = re.compile(r"\s*(?:start|end)\s*+(?:each)?\s*+:|(?!\s*axiom)[^{]*:\s*\{(?!.*-->)", re.IGNORECASE)
 MOST_PASTED, MOST_TOLD, LONGEST = 20, 2000, 100_000  # rounds, characters of a constant, and of a line with constants
+MOST_WORK = 1_000_000  # characters that are looked at or made for constants in a whole text
 
 
 def uncommented(text):
@@ -30,11 +31,11 @@ def joined(lines):
     >>> joined(["A", "\\t--> B \\\\", "C", "D"])
     ['A --> B C', '', '', 'D']
     """
-    parts, first, goes_on, braces = [], 0, False, 0
+    parts, first, goes_on, braces, begun = [], 0, False, 0, False
     for number, line in enumerate(lines):
-        begun = parts and parts[first][0].strip()
-        more = goes_on or braces > 0 or line.startswith("\t") and begun and not begun.startswith("#")
-        first = first if more else number
+        more = goes_on or braces > 0 or line.startswith("\t") and begun
+        if not more:
+            first, begun = number, not (line.isspace() or not line or line.lstrip().startswith("#"))
         stated = braces > 0 or STATED.match(line)
         braces = braces * more + line.count("{") - line.count("}") if stated else 0
         parts.append([])
@@ -47,7 +48,13 @@ class Pasting:
     """The constants of a text."""
 
     def __init__(self):
-        self.known = {}
+        self.known, self.work = {}, 0
+
+    def spend(self, count, source):
+        """Count characters that are made, of which there may not be too many."""
+        self.work += count
+        if self.work > MOST_WORK:
+            source.refuse(f"at most {MOST_WORK} characters where constants are pasted", 0, "more")
 
     def define(self, match, source: Passage):
         """Note a constant or a macro.
@@ -75,6 +82,7 @@ class Pasting:
             Where constants need each other, become too long, or a macro has other parameters.
         """
         for _ in range(MOST_PASTED if self.known else 0):
+            self.spend(len(line), source)
             longer = self.once(line, source)
             if longer == line:
                 return line

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..modules import bracketed
 from ..passages import Passage, shown
 
-SINGLE = re.compile(r"[!-~]")
+PRINTED = re.compile("[!-~]")
 
 
 class Said(NamedTuple):
@@ -24,14 +24,19 @@ class Said(NamedTuple):
         return f"{name}({','.join(self.parameters)})" if self.parameters else name
 
 
-def modules(passage: Passage, names=SINGLE):
+def single(text, at):
+    """The letter at a place of a text."""
+    return text[at]
+
+
+def modules(passage: Passage, named=single):
     """The modules in a passage.
 
     Parameters
     ----------
     passage : Passage
-    names : pattern
-        What matches the name of a module.
+    named : callable
+        Takes a text and a place, and returns the name of the module there.
 
     Returns
     -------
@@ -44,15 +49,15 @@ def modules(passage: Passage, names=SINGLE):
     """
     text, at, found = passage.text, 0, []
     while (at := after_blanks(text, at)) < len(text):
-        match = names.match(text, at)
-        if not match or match.group() in "()":
+        name = named(text, at)
+        if name in "()" or not PRINTED.match(name):
             passage.refuse("a module", at)
-        end, parameters = match.end(), ()
+        end, parameters = at + len(name), ()
         opening = after_blanks(text, end)
         if text[opening : opening + 1] == "(":
             parts, end = bracketed(passage, opening)
             parameters = tuple(part.text for part in parts)
-        found.append(Said(match.group(), at, parameters))
+        found.append(Said(name, at, parameters))
         at = end
     return found
 
