@@ -11,9 +11,12 @@ import numpy as np
 from .booleans import library
 from .contours import Section
 from .contours.planar import cornered
+from .runs import following
+from .vectors import unit
 
 FEW = 16  # faces that fold: many overlap
 SPECK = 1e-12  # of the square of the size: less is no area
+STEPS = 4.0  # of single precision: so far corners that are in one place are drawn apart
 
 
 def region(strips):
@@ -45,8 +48,36 @@ def region(strips):
         parts = [*(one + other for one, other in pairs), *parts[len(parts) // 2 * 2 :]]
     size = max(np.ptp(side, axis=0).max() for strip in strips for side in strip)
     found = [loop for loop in parts[0].to_polygons() if abs(shoelace(loop)) > SPECK * size**2]
+    least = far_apart(np.concatenate(found))
+    found = [loop[np.hypot(*(np.roll(loop, -1, axis=0) - loop).T) > least] for loop in found]
     offsets = np.cumsum([0, *map(len, found)])
-    return cornered(Section(np.concatenate(found), offsets, None))
+    return cornered(Section(drawn_apart(np.concatenate(found), following(offsets)), offsets, None))
+
+
+def drawn_apart(points, ahead):
+    """Corners (n, 2) of loops, those that single precision does not tell apart moved towards their neighbours.
+
+    A region that touches itself in a point has two corners there; each goes back into what it is the tip of. `ahead`
+    has the number of the next corner of each.
+
+    >>> butterfly = np.array([(0.0, 0.0), (1, -1), (1, 1), (0, 0), (-1, 1), (-1, -1)])
+    >>> apart = drawn_apart(butterfly, np.array([1, 2, 3, 4, 5, 0])).astype(np.float32)
+    >>> len(np.unique(butterfly, axis=0)), len(np.unique(apart, axis=0))
+    (5, 6)
+    """
+    _, which, count = np.unique(points.astype(np.float32), axis=0, return_inverse=True, return_counts=True)
+    tips = np.flatnonzero(count[which.reshape(-1)] > 1)
+    behind = np.empty_like(ahead)
+    behind[ahead] = np.arange(len(ahead))
+    ways = unit(points[ahead[tips]] - points[tips]) + unit(points[behind[tips]] - points[tips])
+    points = points.copy()
+    points[tips] += far_apart(points) * unit(ways)
+    return points
+
+
+def far_apart(points):
+    """How far apart single precision tells points (n, 2) in each direction."""
+    return STEPS * float(np.spacing(np.float32(np.abs(points).max())))
 
 
 def lines(left, right):

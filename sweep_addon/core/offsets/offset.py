@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..booleans import arrays
 from ..facets import facets
 from ..frozen import individual
 from ..parameters import ShapeError, require
 from ..polyhedron import polyhedron
 from ..progress import unheard, within
+from ..resolving.tidying import tidied_arrays
 from ..vectors import cross, dot, norms
 from ..wording import shown
 from .around import Around
@@ -197,7 +197,7 @@ def by_faces(vertices, triangles, radius, side, tolerance, progress):
         vertices, triangles, radius, int(min(meridians(radius, tolerance), MOST_SIDES)), within(progress, 0, 0.9)
     )
     grown, shrunk = offset_bodies(vertices, triangles, swept.body)
-    *made, _ = arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
+    made = tidied_arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
     count = len(made[1])
     return *made, np.full(count, swept.inscribed * radius), np.full(count, radius)
 

@@ -27,6 +27,7 @@ def drawn_apart(vertices, triangles, far, fixed):
     (n, 3) float array
 
     A tip goes back into what it is the tip of, be that full or a cavity; so the flattest vertex of each group stays.
+    Of several tips one goes farther than the other, for they may point the same way.
 
     Examples
     --------
@@ -52,8 +53,10 @@ def drawn_apart(vertices, triangles, far, fixed):
     ways = unit(vertices[neighbour] - vertices[used[number]])
     mean = np.stack([np.bincount(number, axis) for axis in ways.T], axis=1) / np.bincount(number)[:, None]
     order = np.lexsort((np.where(fixed[used], -1.0, norms(mean)), place))
-    moved = order[1:][place[order[1:]] == place[order[:-1]]]
-    moved = moved[~fixed[used[moved]]]
+    first = np.append(True, place[order[1:]] != place[order[:-1]])
+    rank = np.arange(len(order)) - np.maximum.accumulate(np.where(first, np.arange(len(order)), 0))
+    kept = (rank > 0) & ~fixed[used[order]]
+    moved, rank = order[kept], rank[kept]
     vertices = vertices.copy()
-    vertices[used[moved]] += far * unit(mean[moved])
+    vertices[used[moved]] += far * rank[:, None] * unit(mean[moved])
     return vertices

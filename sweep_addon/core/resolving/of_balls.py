@@ -7,10 +7,12 @@ from functools import partial
 
 import numpy as np
 
-from ..booleans import union
+from ..booleans import body_of, united
 from ..envelope import Envelope
+from ..polyhedron import polyhedron
 from .of_shapes import once
 from .resolve import resolved
+from .tidying import tidied_arrays
 
 
 def of_balls(shape, progress=None):
@@ -31,7 +33,9 @@ def of_balls(shape, progress=None):
     for number, part in enumerate(parts):
         share = partial(shared, progress, number, len(parts) + 1)
         solids.append(resolved(part, share, lambda: bool(surface.self_intersections())))
-    return once(solids[0] if len(solids) == 1 else replace(union(solids), told=parts[0].told))
+    if len(solids) == 1:
+        return once(solids[0])
+    return once(polyhedron(*tidied_arrays(united(map(body_of, solids))), told=parts[0].told))
 
 
 def shared(progress, number, parts, done):

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..booleans import arrays
 from .absorbing import absorbed
 from .contracting import contracted
 from .drawing_apart import drawn_apart
@@ -60,6 +61,13 @@ def tidied(vertices, triangles, faces, cuts):
             break
         triangles, faces = (np.concatenate(parts) for parts in zip(rest, made, strict=True))
     return drawn_apart(vertices, triangles, small, fixed), triangles, faces
+
+
+def tidied_arrays(body):
+    """The vertices (n, 3) and triangles (t, 3) of a body, tidied, each vertex of some triangle."""
+    vertices, triangles, faces = tidied(*arrays(body), ())
+    used, triangles = np.unique(triangles, return_inverse=True)
+    return vertices[used], triangles.reshape(-1, 3)
 
 
 def round_about(triangles, vertices, count):
