@@ -11,8 +11,6 @@ from .grammar_text import Values
 from .grammars import Budget, GrammarError, LSystem
 from .grammars.budget import sized
 from .grammars.growth import bounds, foretold
-from .grammars.tubes import mesh as meshed
-from .grammars.turtle import Walk
 from .parameters import ShapeError
 
 NONE = Values()
@@ -94,7 +92,7 @@ def figure(text, constants, generations, seed, budget, system, upright):
 
 def drawn(word, budget, system, upright):
     """What the turtle of a system draws of a word."""
-    return Walk(word.interpreted(Budget(budget)), upright, system).figure()
+    return word.figure(upright, within(budget), system)
 
 
 def mesh(plant, dtype):
@@ -107,8 +105,7 @@ def mesh(plant, dtype):
 def made(plant, progress, dtype=np.float64):
     """The mesh of a plant that takes long, told of as far as it is."""
     found = read(plant.system, plant.constants)
-    budget = Budget(plant.budget, BYTES * plant.budget)
-    word = found.derive(plant.generations, plant.seed, budget, lambda part: progress(DERIVED * part))
+    word = found.derive(plant.generations, plant.seed, within(plant.budget), lambda part: progress(DERIVED * part))
     shown = drawn(word, plant.budget, system(plant), plant.upright.upright)
     progress(DRAWN)
     skin = skinned(shown, plant, dtype)
@@ -118,7 +115,13 @@ def made(plant, progress, dtype=np.float64):
 
 def skinned(figure, plant, dtype):
     """The mesh of a figure as a plant asks for it."""
-    return meshed(figure, getattr(plant.output, "sides", 0), plant.texture, plant.attributes, dtype)
+    sides, budget = getattr(plant.output, "sides", 0), within(plant.budget)
+    return figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
+
+
+def within(modules):
+    """The budget of words of so many modules, and of what is drawn of them."""
+    return Budget(modules, max(Budget().bytes, BYTES * modules))
 
 
 def size(plant):

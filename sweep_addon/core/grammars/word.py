@@ -78,7 +78,7 @@ class Word:
 
         return interpreted(self, budget, progress)
 
-    def figure(self, upright=None, budget=None):
+    def figure(self, upright=None, budget=None, system=None):
         """What a turtle draws when it walks the interpreted word.
 
         Parameters
@@ -88,6 +88,8 @@ class Word:
             the system says; else one with branches that turns out of the plane grows upwards.
         budget : Budget, optional
             Of the interpretation, and of the arrays of the figure.
+        system : LSystem, optional
+            Whose angle, step, width and tropism count; else that of the word.
 
         Returns
         -------
@@ -104,7 +106,7 @@ class Word:
 
         told = self.interpreted(budget)
         (budget or Budget()).of_arrays(len(told) * OF_MODULE, "figure")
-        return Walk(told, upright).figure()
+        return Walk(told, upright, system).figure()
 
     def __str__(self):
         """The modules in the notation of the book: parameters of six digits, no blanks."""
