@@ -87,13 +87,15 @@ def test_a_tree_and_a_sweep_without_extent_along_an_axis_are_refused_by_a_senten
     assert "membership" not in points.data.attributes
 
 
-def test_an_open_sweep_is_no_solid_and_nothing_is_written(scene):
-    tube, points = sweep(start="open"), cloud([(0, 0, 1)])
+def test_an_open_sweep_is_a_surface_that_vertices_are_on(scene):
+    tube, points = sweep(start="open"), cloud([(0, 0, 1), (0.5, 0, 1), (0, 0, 2)])
     select(tube, points)
-    with pytest.raises(RuntimeError, match="start"):
-        bpy.ops.object.sweep_classify()
-    assert "membership" not in points.data.attributes
-    select(cube(), points)
+    bpy.ops.object.sweep_classify()
+    assert written(points).tolist() == [-1, 0, 0]
+
+
+def test_a_mesh_that_is_no_sweep_is_not_classified_against(scene):
+    select(cube(), cloud([(0, 0, 1)]))
     assert not bpy.ops.object.sweep_classify.poll()
 
 
