@@ -7,8 +7,9 @@ from bpy.props import IntProperty
 from bpy.types import Operator
 
 from ..sweep_addon.core.later import later
+from ..sweep_addon.core.parameters import ShapeError
 
-objects, texts = later("bridge.objects"), later("bridge.texts")
+curves, objects, texts = later("bridge.curves"), later("bridge.objects"), later("bridge.texts")
 
 ABOVE = 8  # lines that stay in sight above one that is gone to
 SHARE = 0.4  # of the view's width, that a text editor takes where there is none
@@ -100,7 +101,31 @@ class OBJECT_OT_sweep_grammar_reset(OnGrammar, Operator):
         return {"FINISHED"}
 
 
+class OBJECT_OT_sweep_grammar_curves(OnGrammar, Operator):
+    """Make a curve object of the L-system's axes as they are now, each a spline with the radii of its tube"""
+
+    bl_idname = "object.sweep_grammar_curves"
+    bl_label = "Copy to Curves"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        source = context.active_object
+        try:
+            plant = objects.shapes(source.data)[0]
+            data = curves.from_axes(*plant.axes(), f"{source.name} Curves")
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        ob = objects.link(context, data)
+        ob.matrix_world = source.matrix_world
+        source.select_set(False)
+        ob.select_set(True)
+        context.view_layer.objects.active = ob
+        return {"FINISHED"}
+
+
 OPERATORS = (
+    OBJECT_OT_sweep_grammar_curves,
     OBJECT_OT_sweep_grammar_edit,
     OBJECT_OT_sweep_grammar_text_new,
     OBJECT_OT_sweep_grammar_reset,

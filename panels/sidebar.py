@@ -121,8 +121,7 @@ def draw_sweep(layout, context, mesh, say):
         layout.operator("object.sweep_bend")
     row = layout.row(align=True)
     row.operator("object.sweep_apply")
-    if not grown:
-        row.operator("object.sweep_classify")
+    row.operator("object.sweep_grammar_curves" if grown else "object.sweep_classify")
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"

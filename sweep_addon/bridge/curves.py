@@ -218,6 +218,15 @@ def from_trajectory(trajectory, name):
     return curve
 
 
+def from_axes(points, radii, offsets, name):
+    """A Blender curve of poly-lines, each a spline whose bevel is as thick as the radii of its points say."""
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions, curve.bevel_depth, curve.use_fill_caps = "3D", 1.0, True
+    for start, end in zip(offsets[:-1].tolist(), offsets[1:].tolist(), strict=True):
+        new_poly(curve, points[start:end]).points.foreach_set("radius", radii[start:end])
+    return curve
+
+
 def carry(points, trajectory):
     """Write the radii and tilts of a trajectory on the points of its spline."""
     for name, given in (("radius", trajectory.radii), ("tilt", trajectory.tilts)):

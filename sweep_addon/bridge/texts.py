@@ -60,7 +60,7 @@ def follow(mesh):
     """Read the text of a mesh's grammar, if somebody has changed it, and make the mesh anew."""
     group = mesh.sweep.plant
     held = group.system_text
-    if held is None or held.as_string() == group.system:
+    if held is None or not mesh.is_editable or held.as_string() == group.system:
         return
     with rna.at_once(mesh.sweep):
         group.system = held.as_string()

@@ -10,6 +10,7 @@ import numpy as np
 from .grammar_text import Values
 from .grammars import Budget, GrammarError, LSystem
 from .grammars.budget import sized
+from .grammars.chart import Skin
 from .grammars.growth import bounds, foretold
 from .parameters import ShapeError
 
@@ -97,20 +98,36 @@ def drawn(word, budget, system, upright):
 
 def mesh(plant, dtype):
     """The mesh of a plant; `Plant.mesh` says of what."""
-    if takes_long(plant) or quick(*asked(plant)) is None:
-        return made(plant, lambda part: None, dtype)
-    return skinned(figure(*asked(plant), system(plant), plant.upright.upright), plant, dtype)
+    return skinned(shown(plant), plant, dtype)
+
+
+def axes(plant):
+    """The poly-lines of a plant; `Plant.axes` says of what."""
+    skin = Skin(shown(plant))
+    return skin.points, skin.radius, np.append(skin.first, skin.rings)
 
 
 def made(plant, progress, dtype=np.float64):
     """The mesh of a plant that takes long, told of as far as it is."""
-    found = read(plant.system, plant.constants)
-    word = found.derive(plant.generations, plant.seed, within(plant.budget), lambda part: progress(DERIVED * part))
-    shown = drawn(word, plant.budget, system(plant), plant.upright.upright)
+    figure = at_length(plant, progress)
     progress(DRAWN)
-    skin = skinned(shown, plant, dtype)
+    skin = skinned(figure, plant, dtype)
     progress(1.0)
     return skin
+
+
+def shown(plant):
+    """The figure of a plant, which is kept where its word is not long."""
+    if takes_long(plant) or quick(*asked(plant)) is None:
+        return at_length(plant, lambda part: None)
+    return figure(*asked(plant), system(plant), plant.upright.upright)
+
+
+def at_length(plant, progress):
+    """The figure of a plant whose word may be long."""
+    grown = read(plant.system, plant.constants)
+    word = grown.derive(plant.generations, plant.seed, within(plant.budget), lambda part: progress(DERIVED * part))
+    return drawn(word, plant.budget, system(plant), plant.upright.upright)
 
 
 def skinned(figure, plant, dtype):

@@ -145,6 +145,25 @@ class Plant:
         """
         return growing.mesh(self, dtype)
 
+    def axes(self):
+        """The poly-lines of the figure, as curves are made of.
+
+        Returns
+        -------
+        points : (r, 3) float array
+            In metres, of one axis behind the other.
+        radii : (r,) float array
+        offsets : (a + 1,) int array
+            Axis ``i`` has ``points[offsets[i]:offsets[i + 1]]``.
+
+        Examples
+        --------
+        >>> points, radii, offsets = Plant("axiom: F[+F]F").axes()
+        >>> points.shape, radii.tolist(), offsets.tolist()
+        ((5, 3), [0.05, 0.05, 0.05, 0.05, 0.05], [0, 3, 5])
+        """
+        return growing.axes(self)
+
     @property
     def make_solid(self):
         """Whether the mesh takes so long that in a window the last one stays until it is made."""

@@ -10,7 +10,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import cube, places, select
 
 import sweep_addon as sw
-from sweep_addon.bridge import texts
+from sweep_addon.bridge import objects, texts
+from sweep_addon.properties import reading
 from sweep_addon.properties.live import rebuild
 
 TREE = """#define l 1      # 0.5 .. 2 m how long the stem is
@@ -244,3 +245,49 @@ def test_the_mesh_is_valid_with_its_texture_coordinates(scene):
     parameters_of(ob).attributes = False
     parameters_of(ob).texture = "NONE"
     assert "radius" not in ob.data.attributes and "order" not in ob.data.attributes and not ob.data.uv_layers
+
+
+def test_axes_become_splines_that_blender_draws_as_thick(scene):
+    ob = sw.to_object(sw.Plant("axiom: !(0.2)F(1)[&(90)!(0.1)F(2)]F(1)", upright=True))
+    ob.location.x = 3
+    select(ob)
+    bpy.ops.object.sweep_grammar_curves()
+    curve = bpy.context.active_object
+    bpy.context.view_layer.update()
+    lengths = sorted(spline.calc_length() for spline in curve.data.splines)
+    assert lengths == pytest.approx([2, 2]) and curve.matrix_world.translation.x == 3
+    thick = {round(2 * point.radius, 6) for spline in curve.data.splines for point in spline.points}
+    assert thick == {0.2, 0.1}
+    assert curve.dimensions.z == pytest.approx(2, abs=0.2) and ob.data.sweep.kind == "PLANT"
+
+
+def test_a_text_is_read_when_it_has_stood_still_for_a_moment(scene):
+    ob = plant()
+    watch = reading.Watch()
+    assert watch() == reading.PAUSE
+    parameters_of(ob).system_text.from_string(TREE.replace("F(l) [", "["))
+    assert watch() and height(ob) == pytest.approx(2)
+    assert watch() and height(ob) == pytest.approx(1)
+    bpy.data.objects.remove(ob)
+    bpy.data.meshes.remove(bpy.data.meshes[0])
+    assert watch() is None
+
+
+def test_what_is_applied_forgets_text_and_constants(scene):
+    ob = plant()
+    select(ob)
+    bpy.ops.object.sweep_apply()
+    assert parameters_of(ob).system_text is None and not parameters_of(ob).constants.keys()
+    assert len(bpy.data.texts) == 0 or bpy.data.texts[0].users == 0
+
+
+def test_a_constant_is_animated_in_rendered_frames_too(scene):
+    """A render has a depsgraph of its own and gives nothing back: what it reads are the constants of its own copy."""
+    ob = plant()
+    for frame, value in ((1, 1.0), (11, 2.0)):
+        parameters_of(ob).constants["l"] = value
+        ob.data.keyframe_insert('sweep.plant.constants["l"]', frame=frame)
+    scene.frame_set(6)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    read = objects.shapes(ob.data.evaluated_get(depsgraph), depsgraph)[0]
+    assert read.constants["l"] == pytest.approx(1.5, abs=1e-5)

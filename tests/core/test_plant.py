@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A plant is what its grammar draws, with numbers of its own where some are given; it is told of before it is made."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import sweep_addon as sw
+from sweep_addon.core import growing
+from sweep_addon.core.forms import python_source
+from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.texture import Texture
+
+TREE = """#define r 0.7     # 0.5 .. 0.9 how much shorter a branch is
+#define half r/2
+#angle 30
+#generations 3
+axiom: F(1)
+F(l) : l > 0.2 -> F(l) [+ F(l*r)] [- F(l*half)]
+"""
+
+
+def test_the_mesh_is_that_of_the_figure_of_the_word():
+    for sides in (0, 5):
+        output = {"kind": "tubes", "sides": sides} if sides else "edges"
+        figure = sw.LSystem.parse(TREE).derive(3).figure()
+        mesh = sw.Plant(TREE, output=output, texture="none").mesh()
+        alone = figure.mesh(sides, Texture.NONE)
+        assert np.array_equal(mesh.vertices, alone.vertices) and np.array_equal(mesh.edges, alone.edges)
+
+
+def test_numbers_that_are_not_given_are_those_of_the_text():
+    plant = sw.Plant(TREE)
+    assert (plant.generations, plant.angle, plant.step, plant.width, plant.seed) == (3, 30, 1, 0.1, 0)
+    assert plant == sw.Plant(TREE, generations=3, angle=30) == sw.Plant(TREE, constants={"r": 0.7})
+    assert (
+        plant == sw.Plant(sw.LSystem.parse(TREE))
+        or str(sw.LSystem.parse(TREE)) == sw.Plant(sw.LSystem.parse(TREE)).system
+    )
+
+
+def test_numbers_that_are_given_stand_for_those_of_the_text():
+    text = TREE.replace("0.7 ", "0.6 ").replace("#angle 30", "#angle 40\\n#step 2\\n#width 0.3").replace("\\n", chr(10))
+    given = sw.Plant(TREE, constants={"r": 0.6}, angle=40, step=2, width=0.3)
+    assert np.array_equal(given.mesh().vertices, sw.Plant(text).mesh().vertices)
+
+
+@pytest.mark.parametrize("change", [{"angle": 31}, {"step": 2}, {"width": 0.2}, {"upright": True}, {"generations": 2}])
+def test_what_is_kept_from_one_mesh_to_the_next_changes_none(change):
+    """Each is made with all that the one before has left, and again where nothing was left."""
+    plant = replace(sw.Plant("axiom: A\nA -> F[+A]F(2)A&"), generations=3)
+    plant.mesh()
+    found = replace(plant, **change).mesh()
+    growing.quick.cache_clear()
+    growing.figure.cache_clear()
+    alone = replace(plant, **change).mesh()
+    assert np.array_equal(found.vertices, alone.vertices) and len(found.vertices)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"system": "axiom: F["}, r"system: line 1, column 9: expected '\]' after it"),
+        ({"system": 7}, "system: must be the text of a grammar, got 7"),
+        ({"constants": {"q": 1}}, r"constants: must be one of r, half, got \['q'\]"),
+        ({"constants": {"r": "x"}}, "constants.r: must be a number, got 'x'"),
+        ({"constants": [1]}, r"constants: must be a table of numbers, got \[1\]"),
+        ({"generations": -1}, "generations: must be at least 0, got -1"),
+        ({"upright": "down"}, "upright: must be one of automatic, upwards, along-x, got 'down'"),
+        ({"output": "leaves"}, "output: must be one of tubes, edges, got 'leaves'"),
+    ],
+)
+def test_what_is_wrong_is_refused_by_its_name(given, said):
+    with pytest.raises(ShapeError, match=f"^{said}"):
+        sw.Plant(**{"system": TREE, **given})
+
+
+def test_a_word_beyond_the_budget_is_refused_with_its_size():
+    doubling = sw.Plant("axiom: F\nF -> FF", generations=40)
+    with pytest.raises(
+        ShapeError, match="^generations: must make at most 2,000,000 modules, but 40 make 1,099,511,627,776$"
+    ):
+        doubling.mesh()
+    assert not doubling.make_solid and growing.size(doubling).startswith(
+        "1,099,511,627,776 modules; one step more makes 2,1"
+    )
+
+
+def test_what_takes_long_is_known_before_and_told_of_on_the_way():
+    text = "axiom: F\nF : 1 < 2 -> FF"  # a condition: nothing is foretold
+    plant = sw.Plant(text, generations=19, output="edges")
+    assert plant.make_solid and plant.surface() is None and not replace(plant, generations=8).make_solid
+    parts = []
+    assert len(plant.solid(parts.append).edges) == 2**19
+    assert parts == sorted(parts) and parts[-1] == 1 and len(parts) > 19
+
+    def stop(part):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        plant.solid(stop)
+
+
+def test_forms_hold_text_and_constants():
+    plant = sw.Plant(TREE, constants={"half": 0.1}, upright=False)
+    assert sw.load(sw.dump(plant)) == plant and f"system = '''\n{TREE}'''" in sw.dump(plant)
+    source = python_source(plant)
+    assert 'constants={"half": 0.1}' in source and eval(source, {"sw": sw}) == plant
+    quoted = sw.Plant("axiom: F'''F\\(3)F")  # colours, which end a text of lines in TOML, and a roll
+    assert sw.load(sw.dump(quoted)) == quoted and eval(python_source(quoted), {"sw": sw}) == quoted
+
+
+def test_a_production_that_is_a_function_has_no_text():
+    grown = sw.LSystem.parse("axiom: A(1)").with_production("A(x)", lambda x: [("F", x)])
+    with pytest.raises(ShapeError, match="has no text where a successor is a Python function"):
+        sw.Plant(grown)
