@@ -12,9 +12,24 @@ MOST = 2000  # values of a function that takes any number; a text is shorter
 CONSTANTS = {"pi": pi, "tau": tau, "e": e}
 
 
-def truth(function):
+def truth(question):
     """A question whose answer counts: 1 where it holds, 0 elsewhere."""
-    return lambda *values: function(*values) * 1.0
+    return lambda *values: question(*values).astype(np.float64)
+
+
+def either(one, other):
+    """Whether one of two is not 0; that is looked at before they are combined, which floats are slowly."""
+    return np.not_equal(one, 0) | np.not_equal(other, 0)
+
+
+def both(one, other):
+    """Whether neither of two is 0."""
+    return np.not_equal(one, 0) & np.not_equal(other, 0)
+
+
+def neither(value):
+    """Whether a value is 0."""
+    return np.equal(value, 0)
 
 
 def clamp(x, low, high):
@@ -48,18 +63,18 @@ FUNCTIONS = {  # name: function, fewest and most values; where it draws random n
 NEGATION, COMPARISON, SIGN, POWER = 3, 4, 7, 8  # how closely an operator binds: the higher, the closer
 
 PREFIX = {
-    "not": (NEGATION, truth(np.logical_not)),
-    "!": (SIGN, truth(np.logical_not)),
+    "not": (NEGATION, truth(neither)),
+    "!": (SIGN, truth(neither)),
     "-": (SIGN, np.negative),
     "+": (SIGN, np.positive),
 }
 INFIX = {  # & | = are what "The Algorithmic Beauty of Plants" prints
-    "||": (1, truth(np.logical_or)),
-    "|": (1, truth(np.logical_or)),
-    "or": (1, truth(np.logical_or)),
-    "&&": (2, truth(np.logical_and)),
-    "&": (2, truth(np.logical_and)),
-    "and": (2, truth(np.logical_and)),
+    "||": (1, truth(either)),
+    "|": (1, truth(either)),
+    "or": (1, truth(either)),
+    "&&": (2, truth(both)),
+    "&": (2, truth(both)),
+    "and": (2, truth(both)),
     "<": (COMPARISON, truth(np.less)),
     "<=": (COMPARISON, truth(np.less_equal)),
     ">": (COMPARISON, truth(np.greater)),

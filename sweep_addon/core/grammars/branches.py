@@ -6,6 +6,8 @@ Between two brackets lies a stretch. Stretches that are sorted by how many branc
 otherwise, stand behind the stretch that they go on from; so no stack is needed.
 """
 
+from functools import cached_property
+
 import numpy as np
 
 from .neighbours import narrow
@@ -46,13 +48,22 @@ class Branches:
         depth = np.concatenate(([0], np.cumsum(np.where(opens, 1, -1), dtype=np.int32)))
         self.order = np.argsort(narrow(depth), kind="stable")
         begins = np.concatenate(([True], opens))
-        self.starts = np.flatnonzero(begins[self.order])  # of branches, in the sorted order
-        self.parent = np.arange(-1, count - 1)
-        self.parent[self.order[1:]] = np.where(begins[self.order[1:]], self.order[1:] - 1, self.order[:-1])
-        self.branch = np.empty(count, dtype=np.intp)
-        self.branch[self.order] = np.cumsum(begins[self.order]) - 1
+        self.begins = begins[self.order]
+        self.starts = np.flatnonzero(self.begins)  # of branches, in the sorted order
         ends = np.append(self.starts[1:], count) - 1
         self.closing = self.order[ends]  # the last stretch of each branch, of the whole word's first
+
+    @cached_property
+    def parent(self):
+        found, order = np.arange(-1, len(self.brackets)), self.order
+        found[order[1:]] = np.where(self.begins[1:], order[1:] - 1, order[:-1])
+        return found
+
+    @cached_property
+    def branch(self):
+        found = np.empty(len(self.order), dtype=np.intp)
+        found[self.order] = np.cumsum(self.begins) - 1
+        return found
 
     def first(self, chosen):
         """Which of some items is the first of each stretch.
@@ -108,8 +119,13 @@ class Branches:
         inner = behind < len(values)
         back = np.zeros(len(values) + 1, dtype=values.dtype)
         np.add.at(back, behind[inner], own[inner])
-        after = np.cumsum(values - back[:-1])
-        before = np.concatenate((np.zeros(1, dtype=values.dtype), after[:-1]))[: len(values)] - back[:-1]
+        back = back[:-1]
+        after = np.subtract(values, back)
+        np.cumsum(after, out=after)
+        before = np.empty_like(after)
+        before[:1] = 0
+        before[1:] = after[:-1]
+        before -= back
         return before, after
 
     def counts(self, steps):
@@ -128,6 +144,18 @@ class Branches:
         steps = steps.astype(np.int32)
         steps[self.brackets[self.closing[1:]]] -= own
         return np.cumsum(steps, out=steps)
+
+    def counts_at(self, steps, places, first):
+        """The same at items alone: (m,) int32 array; ``first`` is as `first` gives for them."""
+        counted = np.cumsum(steps, dtype=np.int32)
+        found = counted[places]
+        if len(self.brackets):
+            own = np.diff(counted[self.brackets], prepend=0, append=counted[-1])
+            own = np.add.reduceat(own[self.order], self.starts)[1:]
+            back = np.zeros(len(self.order), dtype=np.int32)
+            back[self.closing[1:] + 1] = own
+            found -= np.repeat(np.cumsum(back, out=back), np.diff(first))
+        return found
 
     def previous(self, first):
         """(n,) int array: the item before each on its way from the root, or -1."""

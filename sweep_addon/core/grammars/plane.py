@@ -10,6 +10,7 @@ import numpy as np
 from . import turns
 
 WIDEST = 1 << 20  # headings in a table
+BLOCK = 1 << 15  # modules
 
 
 class Plane:
@@ -30,7 +31,18 @@ class Plane:
         sense = np.zeros(len(walk.word.tables.symbols), dtype=np.int8)
         sense[walk.numbers(left)] = 1
         sense[walk.numbers(right)] = -1
-        return walk.branches.counts(walk.looked_up(sense))[walk.moves]
+        steps = walk.looked_up(sense)
+        if len(walk.branches.brackets):
+            return walk.branches.counts_at(steps, walk.moves, walk.branches.first(walk.is_moving))
+        found, until = np.empty(len(walk.moves), dtype=np.int32), 0
+        edges = range(0, len(steps), BLOCK)
+        stops = np.searchsorted(walk.moves, [edge + BLOCK for edge in edges]).tolist()
+        for edge, begin, stop in zip(edges, [0, *stops], stops, strict=False):
+            counted = np.cumsum(steps[edge : edge + BLOCK], dtype=np.int32)
+            counted += until
+            counted.take(walk.moves[begin:stop] - edge, out=found[begin:stop])
+            until = counted[-1]
+        return found
 
     def degrees(self):
         """Angles, and which of them each move has; None where each has its own."""
@@ -55,15 +67,38 @@ class Plane:
         after = np.append(walk.branches.sums(given, walk.branches.first(chosen))[1], 0.0)
         return after[walk.branches.before(walk.moves, chosen)]
 
-    def ways(self, length):
-        """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
+    def headings(self):
+        """Directions as complex numbers, and which of them each move has; None where each has its own."""
         degrees, which = self.degrees()
         found = turns.unit(degrees)
-        if np.ndim(length) == 0:
-            found *= length
-        found = found if which is None else found.take(which)
-        found = found * length if np.ndim(length) else found
-        return found if self.halves is None else found * (1 - 2 * self.halves)
+        if self.halves is None:
+            return found, which
+        if which is None:
+            return found * (1 - 2 * self.halves), None
+        return np.concatenate((found, -found)), which + len(found) * self.halves
+
+    def ways(self, length):
+        """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
+        found, which = self.headings()
+        return length * (found if which is None else found.take(which))
+
+    def path(self, length):
+        """Two (m, 3) float arrays: where moves of one length begin and end, of a word without branches.
+
+        What is on the way to them stays in a processor's cache.
+        """
+        (found, which), count = self.headings(), len(self.walk.moves)
+        found = found * length
+        made = np.zeros((count + 1, 3))
+        on_the_way = np.zeros(BLOCK + 1, dtype=complex)
+        for start in range(0, count, BLOCK):
+            part = slice(start, min(start + BLOCK, count))
+            place = on_the_way[: part.stop - start + 1]
+            place[1:] = found[part] if which is None else found.take(which[part])
+            np.cumsum(place, out=place)
+            made[start + 1 : part.stop + 1, 0], made[start + 1 : part.stop + 1, 1] = place[1:].real, place[1:].imag
+            on_the_way[0] = place[-1]
+        return made[:-1], made[1:]
 
     def quaternions(self):
         """Quaternions at each move."""

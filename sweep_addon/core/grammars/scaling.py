@@ -30,6 +30,8 @@ def scaled(walk, name, places, since=None):
     ShapeError
         For a scale that is not positive.
     """
+    if not walk.named.get(name):
+        return 1.0
     chosen = walk.chosen(name, given=True)
     where = np.flatnonzero(chosen)
     if not len(where):

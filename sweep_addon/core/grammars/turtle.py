@@ -58,14 +58,16 @@ class Walk:
         self.stops += self.numbers(*MARKS)
         self.moving[self.stops] = True
         self.bytes = self.symbols.tobytes() if self.symbols.dtype == np.uint8 else None
-        brackets = np.flatnonzero(self.chosen(OPEN, CLOSE))
+        brackets = np.flatnonzero(self.chosen(OPEN, CLOSE)) if self.numbers(OPEN) else np.zeros(0, dtype=np.intp)
         self.branches = Branches(brackets, self.table(OPEN)[self.symbols[brackets]])
         self.is_moving = self.looked_up(self.moving)
         self.moves = np.flatnonzero(self.is_moving)
-        self.shown = self.looked_up(self.drawing)
+        alike = np.array_equal(self.drawing, self.moving)
+        self.shown = self.is_moving if alike else self.looked_up(self.drawing)
         if self.cylinders:
             self.shown = self.shown & ~self.cylinders.hidden | self.cylinders.bends
-        self.is_drawn = self.shown[self.moves]
+        whole = self.shown is self.is_moving
+        self.is_drawn = np.ones(len(self.moves), dtype=bool) if whole else self.shown[self.moves]
         nested = self.word.tables.nested
         self.regions = Regions(self.word.tables, self.word.state) if nested else None
         self.scale = self.regions.scales() if nested else None
@@ -115,7 +117,6 @@ class Walk:
 
     def figure(self):
         """The figure that is drawn."""
-        first = self.branches.first(self.is_moving)
         length = self.parameter(self.moves, self.system.step * scaled(self, LENGTH, self.moves))
         if self.regions:
             length = length * self.scale[self.moves]
@@ -124,10 +125,14 @@ class Walk:
         bounded(length if np.ndim(length) else length * len(self.moves), np.sum, "go at most {} m in all")
         if not self.spatial and self.along != "z":
             plane = Plane(self)
-            ways = self.branches.sums(plane.ways(length), first)
-            start, end = self.points([[way.real, way.imag] for way in ways])
+            if np.ndim(length) or len(self.branches.brackets):
+                ways = self.branches.sums(plane.ways(length), self.branches.first(self.is_moving))
+                start, end = self.points([[way.real, way.imag] for way in ways])
+            else:
+                start, end = plane.path(length)
             found = plane.quaternions
         else:
+            first = self.branches.first(self.is_moving)
             pair = Tokens(self).orientations()
             x, yz = turns.heading(*pair)
             (x, x_end), (yz, yz_end) = (self.branches.sums(way * length, first) for way in (x, yz))
