@@ -76,6 +76,14 @@ def test_words_of_formulas_stay_apart_when_written():
     assert str(LSystem.parse(str(system)).derive(1)) == str(system.derive(1)) == "B(1,3,3)"
 
 
+def test_modules_whose_letters_make_another_name_stay_apart_when_written():
+    told = "#names ab, abc\naxiom: a b abc ? P(1) @ v\na b < ab > @ v -> a bc"
+    system = LSystem.parse(told)
+    assert [module.name for module in LSystem.parse(str(system)).axiom] == ["a", "b", "abc", "?", "P", "@", "v"]
+    assert str(LSystem.parse(str(system))) == str(system)
+    assert [each.name for each in LSystem.parse(str(system)).productions[0].left] == ["a", "b"]
+
+
 @given(grammars())
 def test_any_grammar_reads_as_the_same_when_written(told):
     system = LSystem.parse(told)

@@ -131,8 +131,14 @@ def test_wrong_environments_are_refused(environment, sentence):
 
 
 def test_descriptions_tell_of_queries():
-    told = "\n".join(described(LSystem.parse("axiom: A?P(x)?E(y)")))
-    assert "asks: ?P, ?E" in told and "step by step" in told
+    told = described(LSystem.parse("start: n = 1\n#heading y\naxiom: A?P(x)?U(z)?E(y)"))
+    assert told[0] == "class: open environmentally sensitive parametric D0L-system" and "step by step" in told[2]
+    assert told[4:] == [
+        "variables: n",
+        "asks: ?P, ?U, which a turtle answers after each step",
+        "asks: ?E, which an environment answers; that is a function of Python, and no file has one",
+        "heading: y",
+    ]
     assert "asks" not in "\n".join(described(LSystem.parse("axiom: A?P")))
 
 

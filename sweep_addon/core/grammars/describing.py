@@ -5,6 +5,7 @@
 from .budget import sized
 from .derivation import WAYS, strategy
 from .growth import bounds, foretold
+from .modules import ENVIRONMENT, QUERIES
 
 
 def kind(system):
@@ -35,6 +36,9 @@ def kind(system):
     modules = [module for word in words for module in word]
     said = ["parametric"] if any(module.parameters for module in modules) else []
     said += ["stochastic"] if chance else []
+    names = {module.name for module in modules if module.parameters}
+    said = (["environmentally sensitive"] if names.intersection(QUERIES) else []) + said
+    said = (["open"] if ENVIRONMENT in names else []) + said
     said += ["bracketed"] if any(module.name == "[" for module in modules) else []
     said += ["table"] if system.groups else []
     plain = not chance and not sides and not any(rule.condition for rule in rules)
@@ -68,7 +72,6 @@ def described(system, generations=None):
         limits = bounds(tables, generations)
         said = f"{sized(limits[0])} to {sized(limits[1])} modules" if limits else "not foretold"
         size = f"{said} after {generations} generations"
-    asks = ", ".join(dict.fromkeys(name for name, _ in tables.queries.values()))
     every = (
         system.productions,
         *(group for _, group in (*system.groups, *system.systems)),
@@ -80,7 +83,23 @@ def described(system, generations=None):
         f"productions: {sum(map(len, every))}",
         f"derived: {WAYS[strategy(tables)]}",
         f"size: {size}",
-        *([f"sub-systems: {', '.join(str(number) for number, _ in system.systems)}"] if system.systems else []),
-        *([f"asks: {asks}, which a turtle fills in after each step"] if asks else []),
+        *features(tables),
         *(f"constant: {constant.name} = {constant.value:.9g}" for constant in system.constants),
     ]
+
+
+def features(tables):
+    """Lines about what a system has beside productions."""
+    system = tables.system
+    if system.systems:
+        yield f"sub-systems: {', '.join(str(number) for number, _ in system.systems)}"
+    if tables.variables:
+        yield f"variables: {', '.join(tables.variables)}"
+    asked = list(dict.fromkeys(name for name, _ in tables.queries.values()))
+    of_turtle = [name for name in asked if name != ENVIRONMENT]
+    if of_turtle:
+        yield f"asks: {', '.join(of_turtle)}, which a turtle answers after each step"
+    if ENVIRONMENT in asked:
+        yield f"asks: {ENVIRONMENT}, which an environment answers; that is a function of Python, and no file has one"
+    if system.heading:
+        yield f"heading: {system.heading}"

@@ -46,16 +46,29 @@ class Production:
     line: int = 0
 
     def __str__(self):
-        head = [f"{told(self.left)} < " if self.left else "", str(self.predecessor)]
-        head += [f" > {told(self.right)}" if self.right else ""]
-        head += [f" : {self.condition.text}" if self.condition else ""]
+        return self.told()
+
+    def told(self, alphabet=None):
+        """The production as text, in which an alphabet finds the same modules."""
+        left, right, made = (told(word, alphabet) for word in (self.left, self.right, self.successor))
+        condition = f" : {self.condition.text}" if self.condition else ""
         arrow = f"-({self.probability.text})->" if self.probability else ARROW
-        return f"{''.join(head)} {arrow} {told(self.successor) or EMPTY}"
+        left, right = f"{left} < " if left else "", f" > {right}" if right else ""
+        return f"{left}{self.predecessor}{right}{condition} {arrow} {made or EMPTY}"
 
 
-def told(modules):
-    """A word as text."""
-    return "".join(map(str, modules))
+def told(modules, alphabet=None):
+    """A word as text, with blanks where an alphabet would find other modules without.
+
+    >>> system = ["a", "b", "ab"]
+    >>> told(map(Module, system)), told(map(Module, system), Alphabet(["ab"]))
+    ('abab', 'a b ab')
+    """
+    modules = list(modules)
+    text = "".join(map(str, modules))
+    if alphabet is None or [letter.name for letter in alphabet.letters(Passage(text, 0))] == [m.name for m in modules]:
+        return text
+    return " ".join(map(str, modules))
 
 
 def production(passage: Passage, alphabet: Alphabet, constants, variables=()):

@@ -3,6 +3,7 @@
 """The text of a system in the notation of the book; reading it gives the same system."""
 
 from ..parameters import require
+from .modules import Alphabet
 from .productions import told
 from .statements import BLOCKS
 
@@ -27,7 +28,9 @@ def written(system):
     for rule in (rule for rules in every for rule in rules):
         functions = [p for module in rule.successor for p in module.parameters if not hasattr(p, "evaluate")]
         require(not functions, "has no text where a successor is a Python function", rule.predecessor, "productions")
-    return "\n".join([*settings(system), f"axiom: {told(system.axiom)}", *blocks(system), *sections(system), ""])
+    alphabet = Alphabet(system.names)
+    axiom = f"axiom: {told(system.axiom, alphabet)}"
+    return "\n".join([*settings(system), axiom, *blocks(system), *sections(system, alphabet), ""])
 
 
 def blocks(system):
@@ -60,18 +63,22 @@ def settings(system):
         yield f"#groups {' '.join(map(str, groups))}{' ...' if again else ''}"
 
 
-def sections(system):
+def sections(system, alphabet):
     """The productions, each section under its name."""
-    yield from map(str, system.productions)
+
+    def lines(rules):
+        return (rule.told(alphabet) for rule in rules)
+
+    yield from lines(system.productions)
     for number, rules in system.groups:
         yield f"group {number}:"
-        yield from map(str, rules)
+        yield from lines(rules)
     for number, rules in system.systems:
         yield f"lsystem {number}:"
-        yield from map(str, rules)
+        yield from lines(rules)
     for section in ("decomposition", "homomorphism"):
         rules, depth = getattr(system, section), getattr(system, f"{section}_depth")
         if rules:
             yield f"{section}:"
             yield from [] if depth is None else [f"maximum depth: {depth}"]
-            yield from map(str, rules)
+            yield from lines(rules)
