@@ -35,10 +35,8 @@ def test_numbers_that_are_not_given_are_those_of_the_text():
     plant = sw.Plant(TREE)
     assert (plant.generations, plant.angle, plant.step, plant.width, plant.seed) == (3, 30, 1, 0.1, 0)
     assert plant == sw.Plant(TREE, generations=3, angle=30) == sw.Plant(TREE, constants={"r": 0.7})
-    assert (
-        plant == sw.Plant(sw.LSystem.parse(TREE))
-        or str(sw.LSystem.parse(TREE)) == sw.Plant(sw.LSystem.parse(TREE)).system
-    )
+    system = sw.LSystem.parse(TREE)
+    assert sw.Plant(system).system == str(system) and sw.Plant(system).mesh().area() == plant.mesh().area()
 
 
 def test_numbers_that_are_given_stand_for_those_of_the_text():
