@@ -18,7 +18,7 @@ TEXTURE = "UVMap"
 NAMES = (  # of what each key of a chart stands for
     (TEXTURE,),
     ("u", "arc_length", "radius"),
-    ("v", "colour", "birth", "axis", "order", "organ", "size"),
+    ("v", "colour", "birth", "axis", "order", "organ", "size", "rotation"),
 )
 SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many: half a millisecond on each update
 SAME = 1e-6  # of the size: hosts differ in the last bit
@@ -159,7 +159,8 @@ def write_texture(mesh, chart, known):
         layer.data.foreach_set("vector", chart.uv(np.float32, SCRATCH.array).ravel())
     values = (chart.along(np.float32) if along else {}) | (chart.across(np.float32) if across else {})
     for name, array in values.items():
-        attribute(mesh, name, "FLOAT", "POINT").data.foreach_set("value", array)
+        kind = "FLOAT" if array.ndim == 1 else "QUATERNION"
+        attribute(mesh, name, kind, "POINT").data.foreach_set("value", array.ravel())
     for names, key, before in zip(NAMES, chart.keys, known, strict=True):
         for name in filter(mesh.attributes.get, names if before and not key else ()):
             mesh.attributes.remove(mesh.attributes[name])

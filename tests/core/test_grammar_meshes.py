@@ -164,3 +164,28 @@ def test_attributes_are_of_the_segment_that_begins_there_and_lengths_along_its_a
     assert at["u"][fork] == pytest.approx(1 / 3) and at["u"][tip] == 1
     assert [at["order"][key] for key in (base, tip, end)] == [0, 1, 0] and at["colour"][end] == 1
     assert [at["radius"][key] for key in (base, end)] == [1, 0.5]
+
+
+@pytest.mark.parametrize(
+    "told", ["~b+(30)F~b^(40)/(20)[&(15)~b]f~b", "F(2)+(90)~b", "#tropism 0 0 -1 0.4\naxiom: F&F~b+F~b"]
+)
+def test_an_organ_is_turned_as_the_turtle_is_there(told):
+    """As the segment would be that a turtle drew in its place: its heading is z, its left x and its up y."""
+    text = told if "axiom" in told else f"axiom: {told}"
+    mesh = LSystem.parse(text).derive(0).figure(upright=False).mesh(0)
+    rotation = mesh.attributes["rotation"][mesh.attributes["organ"] > 0]
+    spots = [place for place in range(len(text)) if text.startswith("~b", place)]
+    for spot, (a, b, c, d) in zip(spots, rotation, strict=True):
+        drawn = (
+            LSystem.parse(f"{text[:spot]}F(0.001){text[spot + 2 :]}".replace("~b", "")).derive(0).figure(upright=False)
+        )
+        axes = drawn.axes[np.linalg.norm(drawn.end - drawn.start, axis=1).argmin()]
+        columns = np.array(
+            [
+                [1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c)],
+                [2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b)],
+                [2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c)],
+            ]
+        ).T
+        assert columns == pytest.approx(axes[[1, 2, 0]], abs=1e-12)
+    assert (mesh.attributes["rotation"][mesh.attributes["organ"] == 0] == (1, 0, 0, 0)).all()

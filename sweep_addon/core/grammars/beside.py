@@ -6,8 +6,11 @@ import numpy as np
 
 from ..digest import checksum
 from ..mesh import Mesh, Topology, require_few
+from . import turns
 
 NONE = np.zeros(0, dtype=np.int32)
+UNTURNED = (1.0, 0.0, 0.0, 0.0)
+ALONG_Z = (0.5 + 0.5j, 0.5 + 0.5j)  # turns x to y, y to z and z to x: an organ lies along z, a turtle heads along x
 
 
 class Held:
@@ -40,7 +43,8 @@ class Held:
 
     def across(self, dtype=np.float64):
         none = np.zeros(self.vertices)
-        return {name: self.values.get(name, none).astype(dtype) for name in self.chart.across(dtype)}
+        known = {"rotation": np.tile(UNTURNED, (self.vertices, 1))} | self.values
+        return {name: known.get(name, none).astype(dtype) for name in self.chart.across(dtype)}
 
 
 class Numbered:
@@ -54,7 +58,8 @@ class Numbered:
 
     def across(self, dtype=np.float64):
         found = self.chart.across(dtype)
-        return found | dict.fromkeys(("organ", "size"), np.zeros(self.vertices, dtype)) if found else found
+        none = dict.fromkeys(("organ", "size"), np.zeros(self.vertices, dtype))
+        return found | none | {"rotation": np.tile(UNTURNED, (self.vertices, 1)).astype(dtype)} if found else found
 
 
 MOST_SLOTS, LEAF = 64, 2  # material slots: how many, by the number of the colour; that of polygons without a colour
@@ -94,16 +99,25 @@ def attributes(figure):
     return values | {"birth": walk.word.births[place], "colour": figure.colours(place)}
 
 
+def parts(z, w):
+    """(n, 4) float array: quaternions of two complex numbers each, by their parts."""
+    return np.stack((z.real, z.imag, w.real, w.imag), axis=1)
+
+
 def organs(figure, chart, dtype):
-    """A mesh of a point at each organ of a figure, which knows its size, and by a number its name."""
+    """A mesh of a point at each organ of a figure, which knows its size, how it is turned, and by a number its name.
+
+    A rotation is a quaternion w x y z, which turns z to the turtle's heading, x to its left and y to its up.
+    """
     found = figure.organs
     count = sum(len(organ.place) for organ in found)
-    vertices = np.concatenate((*(organ.at for organ in found), np.zeros((0, 3)))).astype(dtype)
+    vertices = np.concatenate([organ.at for organ in found]).astype(dtype)
     sizes = [len(organ.place) for organ in found]
     values = {
         "organ": np.repeat(np.arange(1, len(found) + 1), sizes),
-        "size": np.concatenate((*(organ.scale for organ in found), np.zeros(0))),
-        "colour": figure.colours(np.concatenate((*(organ.place for organ in found), np.zeros(0, np.intp)))),
+        "size": np.concatenate([organ.scale for organ in found]),
+        "rotation": np.concatenate([parts(*turns.product(pair, ALONG_Z)) for pair in figure.organ_turns]),
+        "colour": figure.colours(np.concatenate([organ.place for organ in found])),
     }
     topology = Topology(NONE, np.zeros(1, np.int32), np.zeros((0, 2), np.int32), NONE, np.zeros(0, bool), NONE)
     told = ", ".join(f"{number} {organ.name} ({len(organ.place):,})" for number, organ in enumerate(found, 1))

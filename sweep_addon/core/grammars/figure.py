@@ -9,7 +9,7 @@ import numpy as np
 from ..texture import Texture
 from . import turns
 from .bounding import bounded
-from .filling import organs, polygons, position
+from .filling import ORGAN, organs, polygons, position
 from .neighbours import narrow
 from .scaling import WIDTH, scaled
 
@@ -162,6 +162,16 @@ class Figure:
     def organs(self):
         """Tuple of Organ: organs by name, and where they are."""
         return organs(self.walk, self.moves_end)
+
+    @cached_property
+    def organ_turns(self):
+        """Tuple of pairs of (k,) complex array: the turtle's orientation at the organs of each name, as quaternions."""
+        tildes = self.walk.numbers(ORGAN)
+        again = type(self.walk)(*self.walk.asked, stops=tildes)
+        stops = np.flatnonzero(np.isin(again.symbols[again.moves], tildes))
+        pair = turns.taken(again.figure().orientations(), stops)
+        where = (np.searchsorted(again.moves[stops], organ.place - 1) for organ in self.organs)
+        return tuple(turns.taken(pair, at) for at in where)
 
     @property
     def bounds(self):

@@ -45,7 +45,7 @@ class Walk:
     """
 
     def __init__(self, word, upright=None, system=None, stops=()):
-        self.system = system or word.tables.system
+        self.asked, self.system = (word, upright, system), system or word.tables.system
         self.cylinders = Cylinders(word) if marked(word) else None
         if self.cylinders:
             word = Word(word.tables, self.cylinders.state, word.generations, word.seed)
