@@ -80,3 +80,33 @@ def walk(modules, axes, angle=90.0, step=1.0, width=0.1, tropism=None, asked=Non
         elif name == "]":
             state = stack.pop()
     return segments, state["at"]
+
+
+def left_beside(modules, segments_of):
+    """What a turtle leaves beside its segments: polygons in the order in which they end, and organs.
+
+    Parameters
+    ----------
+    modules : list of (name, parameters)
+    segments_of : callable
+        Walks a word, as `walk`: where the turtle is at a place is where it is at the end of the word up to there.
+
+    Returns
+    -------
+    list of list of (3,) float array
+    list of (name, position, scale)
+    """
+    open_, polygons, organs = [], [], []
+    for place, (name, parameters) in enumerate(modules):
+        at = segments_of(modules[: place + 1])[1]
+        if name == "{":
+            open_.append([at])
+        elif name == "}" and open_:
+            corners = open_.pop()
+            distinct = [b for a, b in zip([corners[-1], *corners[:-1]], corners, strict=True) if (a != b).any()]
+            polygons += [distinct] if len(distinct) > 2 else []
+        elif name in ("F", "f", ".") and open_:
+            open_[-1].append(at)
+        if place and modules[place - 1][0] == "~":
+            organs.append((name, at, parameters[0] if parameters else 1.0))
+    return polygons, organs

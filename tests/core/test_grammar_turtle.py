@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sequential_turtle import walk
+from sequential_turtle import left_beside, walk
 from test_grammar_conformance import ENTRIES, by_id, text
 
 from sweep_addon.core.grammars import LSystem
@@ -14,7 +14,8 @@ from sweep_addon.core.grammars import LSystem
 DRAWN = [entry for entry in ENTRIES if "geometry" in entry]
 ALONG_X = {"H": np.array([1.0, 0, 0]), "L": np.array([0, 1.0, 0]), "U": np.array([0, 0, 1.0])}
 UPWARDS = {"H": np.array([0, 0, 1.0]), "L": np.array([0, 1.0, 0]), "U": np.array([-1.0, 0, 0])}
-FLAT, SPATIAL, LEVELLING = "FFFffG+-|!'[]", "FFFfG+-&^\\/|!'[]", "FFFfG+-&^\\/|$!'[]"
+FLAT, SPATIAL, LEVELLING = "FFFffG+-|!'[]", "FFFfG+-&^\\/|!'[]", [*"FFFfG+-&^\\/|$!'[]", "@v"]
+BESIDE = [*"FFFfG+-[]{{}}..", "~K", "~L"]
 
 
 @by_id(DRAWN)
@@ -42,7 +43,7 @@ def random_word(draw, letters, count):
         parameters = ()
         if letter in "+-&^\\/" and draw.random() < 0.5:
             parameters = (round(draw.uniform(-180, 180), 2),)
-        elif letter in "Ff" and draw.random() < 0.5:
+        elif letter in "FfG" and draw.random() < 0.5:
             parameters = (round(draw.uniform(0.1, 2), 2),)
         elif letter in "!'" and draw.random() < 0.5:
             parameters = (round(draw.uniform(0.1, 2), 2),)
@@ -94,6 +95,26 @@ def test_levelled_and_bent_words_are_drawn_as_by_the_reference(tropism, draws):
         figure, segments, _ = compared(modules, True, tropism)
         loss = np.array([segment["loss"] for segment in segments])
         assert (errors(figure, segments) < 1e-12 / loss).all()
+
+
+@pytest.mark.parametrize("letters", [BESIDE, [*BESIDE, *"&^/\\"]])
+def test_polygons_and_organs_are_those_of_the_reference(letters, draws):
+    draw = np.random.default_rng(12)
+    for _ in range(draws // 2):
+        modules = []
+        for name, parameters in random_word(draw, letters, draw.integers(0, 60)):
+            scaled = (2.5,) if draw.random() < 0.5 else ()
+            modules += [("~", ()), (name[1], scaled)] if name[0] == "~" else [(name, parameters)]
+        figure, segments, _ = compared(modules, True)
+        told = left_beside(modules, lambda word: walk(word, UPWARDS, 25.0))
+        assert errors(figure, segments).max(initial=0) < 1e-12
+        assert [len(polygon) for polygon in figure.polygons] == [len(polygon) for polygon in told[0]]
+        for found, wanted in zip(figure.polygons, told[0], strict=True):
+            assert np.abs(found - wanted).max() < 1e-11
+        found = [(o.name, *each) for o in figure.organs for each in zip(o.place, o.at, o.scale, strict=True)]
+        found = sorted(found, key=lambda each: each[1])
+        assert [(name, scale) for name, _, _, scale in found] == [(name, scale) for name, _, scale in told[1]]
+        assert all(np.abs(a[2] - b[1]).max() < 1e-11 for a, b in zip(found, told[1], strict=True))
 
 
 def test_long_paths_are_drawn_as_by_the_reference():
