@@ -68,13 +68,13 @@ def draw_tree(layout, context, ob):
     """What the tree is, what is wrong with it, its steps, and the parameters of the operand that is picked."""
     say = sentences(context)
     steps = trees.booleans(ob)
-    held = [trees.operand_of(step) for step in steps]
+    held, bent = held_by(steps)
     used = {step.solver for step in steps}
     layout.label(text=summary(len(steps), used))
-    draw_warnings(layout, ob, steps, held, used, say)
+    draw_warnings(layout, ob, steps, held, bent, used, say)
     picked = trees.picked(ob)
     row = layout.row()
-    draw_rows(row.column(align=True), ob, steps, held, picked)
+    draw_rows(row.column(align=True), ob, steps, held, bent, picked)
     draw_buttons(row.column(align=True), ob, picked)
     if picked and trees.operand_of(picked[1]):
         draw_operand(layout, trees.operand_of(picked[1]), say)
@@ -91,9 +91,12 @@ def draw_tree(layout, context, ob):
         row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
 
 
-def draw_rows(layout, ob, steps, held, picked):
-    """A row for each step, of very many those about the one that is picked; a click on what is left out goes there."""
-    rows = list(lines(ob, steps, held, 0, {ob}))
+def draw_rows(layout, ob, steps, held, bent, picked):
+    """A row for each step, of very many those about the one that is picked; a click on what is left out goes there.
+
+    Known are what the steps hold, and which of that has modifiers.
+    """
+    rows = list(lines(ob, steps, held, bent, 0, {ob}))
     at = next((i for i, (owner, modifier, _) in enumerate(rows) if picked == (owner, modifier)), 0)
     first = max(0, min(at - MOST_ROWS // 2, len(rows) - MOST_ROWS))
     last = min(first + MOST_ROWS, len(rows))
@@ -118,25 +121,32 @@ def summary(count, used):
     return f"{count} operand{'' if count == 1 else 's'}, {solver}"
 
 
-def lines(ob, steps, held, depth, entered):
+def lines(ob, steps, held, bent, depth, entered):
     """Each step of a tree with the object that has it and how deep it is, those of an operand below its first one."""
     for modifier, operand in zip(steps, held, strict=True):
         yield ob, modifier, depth
-        if operand and operand.modifiers and operand not in entered:
+        if operand in bent and operand not in entered:
             entered.add(operand)
             inner = trees.booleans(operand)
-            yield from lines(operand, inner, [trees.operand_of(step) for step in inner], depth + 1, entered)
+            yield from lines(operand, inner, *held_by(inner), depth + 1, entered)
 
 
-def draw_warnings(layout, ob, steps, held, used, say):
+def held_by(steps):
+    """What steps hold, a list, and which of that has modifiers, a set."""
+    held = [trees.operand_of(step) for step in steps]
+    return held, {operand for operand in held if operand and operand.modifiers}
+
+
+def draw_warnings(layout, ob, steps, held, bent, used, say):
     """What keeps the tree from being what it says, each with what mends it."""
     fast = solvers.FAST in used
-    parts, mirrored = solvers.parts(ob, held)[:MOST_PARTS], ob.matrix_world.is_negative
-    why = next(filter(None, (solvers.why_exact(part, mirrored, solvers.seems_closed) for part in parts)), "")
+    bare = dict.fromkeys(operand for operand in held[:MOST_PARTS] if operand and operand not in bent)
+    others = solvers.parts_of(list(bent), {ob: None})[: max(MOST_PARTS - len(bare), 1)]
+    why = solvers.seen_exact(ob, bare, others)
     lacking = solvers.lacking()
     if why or lacking:
         say(layout, f"{why}." if why and not (lacking and fast) else lacking, "ERROR" if fast else "INFO")
-    meeting = list(filter(solvers.is_known_to_cross, parts))
+    meeting = solvers.known_to_cross([*others, *bare])
     for part in meeting:
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
     if meeting or bool(why or lacking) == fast:

@@ -51,7 +51,7 @@ def compose(job, name, frame=0):
 
 def lacking(ob):
     """What is to be told of an object that shows nothing: sentences for people."""
-    return (EMPTY,) if trees.is_empty(ob) else ()
+    return (EMPTY,) if trees.is_tree(ob) and trees.is_empty(ob) else ()
 
 
 def empty():

@@ -104,9 +104,13 @@ def has_fast():
         bpy.data.batch_remove([*made, *(ob.data for ob in made)])
 
 
-def parts(ob, held=None):
-    """The objects whose own meshes a tree is of: the result and its operands, which may be known, and theirs."""
-    found, todo = ({}, [ob]) if held is None else ({ob: None}, list(filter(None, held)))
+def parts(ob):
+    """The objects whose own meshes a tree is of: the result and its operands, and theirs."""
+    return parts_of([ob], {})
+
+
+def parts_of(todo, found):
+    """Objects and those whose own meshes they are of, after some that were found before, the keys of a dictionary."""
     while todo:
         new = [other for other in dict.fromkeys(todo) if other not in found]
         found |= dict.fromkeys(new)
@@ -119,6 +123,29 @@ def mesh_of(ob):
     if not len(ob.modifiers) or trees.is_tree(ob):
         return ob.data
     return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+
+
+def seen_exact(ob, bare, others):
+    """Why a tree needs the exact solver as far as a draw has time to look, or nothing.
+
+    Parameters
+    ----------
+    ob : bpy.types.Object
+        The result.
+    bare, others : iterables of bpy.types.Object
+        Parts of it that are known to have no modifiers, and further ones.
+    """
+    mirrored = ob.matrix_world.is_negative
+    for part in bare:
+        mesh = part.data
+        if len(mesh.loops) != 2 * len(mesh.edges) or part.matrix_world.is_negative != mirrored or not mesh.edges:
+            return why_exact(part, mirrored, seems_closed)
+    return next(filter(None, (why_exact(part, mirrored, seems_closed) for part in others)), "")
+
+
+def known_to_cross(parts):
+    """The parts of a tree that meet themselves, as far as it has been looked for."""
+    return [part for part in parts if PREFIX in part.data.sweep.places and is_known_to_cross(part)]
 
 
 def seems_closed(mesh):

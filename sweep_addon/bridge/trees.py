@@ -30,7 +30,7 @@ def booleans(ob):
 
 def is_tree(ob):
     """Whether an object is the result of set operations."""
-    return bool(booleans(ob))
+    return any(modifier.type == "BOOLEAN" for modifier in getattr(ob, "modifiers", ()))
 
 
 def operand_of(modifier):
@@ -45,7 +45,7 @@ def is_lost(modifier):
 
 def is_empty(ob):
     """Whether nothing is left of a tree."""
-    return is_tree(ob) and not ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
+    return not ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
 
 
 def others(ob):
