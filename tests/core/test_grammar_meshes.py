@@ -189,3 +189,9 @@ def test_an_organ_is_turned_as_the_turtle_is_there(told):
         ).T
         assert columns == pytest.approx(axes[[1, 2, 0]], abs=1e-12)
     assert (mesh.attributes["rotation"][mesh.attributes["organ"] == 0] == (1, 0, 0, 0)).all()
+
+
+@pytest.mark.parametrize("told", ["F(-1)", "F(1)+(30)F(-2)F(1)", "&(20)F(2)/(40)+(80)F(-3)", "F(0)F(1)&F(0)F(1)"])
+def test_tubes_look_outwards_where_the_turtle_goes_backwards_or_nowhere(told):
+    mesh = LSystem.parse(f"axiom: {told}").derive(0).figure().mesh(6)
+    assert np.isfinite(mesh.vertices).all() and mesh.volume() > 0

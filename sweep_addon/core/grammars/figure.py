@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from ..texture import Texture
+from ..vectors import norms
 from . import turns
 from .bounding import bounded
 from .filling import ORGAN, organs, polygons, position
@@ -64,11 +65,13 @@ class Figure:
 
     @property
     def headings(self):
-        """(n, 3) float array: the heading of the turtle on each segment."""
-        if self.walk.cylinders:
-            return self.axes[:, 0]
-        x, yz = turns.heading(*turns.taken(self.orientations(), self.drawn))
-        return np.stack((x, yz.real, yz.imag), axis=1)
+        """(n, 3) float array: where each segment leads, its turtle's heading unless that goes backwards."""
+        way = self.end - self.start
+        size = norms(way)
+        if size.all():
+            return way / size[:, None]
+        heading = self.axes[:, 0]
+        return np.where(size[:, None] > 0, way / np.where(size > 0, size, 1)[:, None], heading)
 
     @cached_property
     def width(self):

@@ -27,38 +27,55 @@ def laid(begins, material, sides):
     slot = np.frombuffer(material, dtype=np.int32) if material else np.zeros(count, dtype=np.int32)
     rings = count + tubes
     lower = (np.arange(count) + np.cumsum(begins) - 1).astype(np.int32)
+    bars = np.arange(rings, rings + count, dtype=np.int32)  # the edges of the first column along the segments
+    own = rings + count  # edges of each column: first those from its rings to the next column's, then its bars
+    quads = 4 * sides * count
+    corners, corner_edges = np.empty((2, quads + 2 * sides * tubes), dtype=np.int32)
+    faces = columns(corners[:quads], (lower, lower + rings, lower + rings + 1, lower + 1), sides, rings, (1, 2))
+    columns(corner_edges[:quads], (lower, bars + own, lower + 1, bars), sides, own, (1,))
+    edges = np.empty((sides, own, 2), dtype=np.int32)
+    edges[0, :rings, 0] = np.arange(rings)
+    edges[0, :rings, 1] = edges[0, :rings, 0] + rings
+    edges[0, rings:] = faces[0][:, ::3]
+    shifted(edges.reshape(sides, -1), rings)
+    edges[-1, :rings, 1] -= sides * rings
+
     first = np.flatnonzero(begins)
     final = np.append(first[1:], count) - 1 if tubes else first
     column = np.arange(sides, dtype=np.int32)
-    ahead = np.roll(column, -1)
-
-    quads, corner = 4 * sides * count, 4 * sides * count + 2 * sides * tubes
-    corners, corner_edges = np.empty((2, corner), dtype=np.int32)
-    faces, bars_of = (part[:quads].reshape(sides, count, 4) for part in (corners, corner_edges))
-    faces[..., 0], faces[..., 1] = column[:, None] * rings + lower, ahead[:, None] * rings + lower
-    np.add(faces[..., 1::-1], 1, out=faces[..., 2:])
-    around = sides * rings  # the first edge along a segment
-    bars = around + column[:, None] * count + np.arange(count, dtype=np.int32)
-    bars_of[..., 0], bars_of[..., 1] = faces[..., 0], bars[ahead]
-    bars_of[..., 2], bars_of[..., 3] = faces[..., 3], bars
-
-    starts, ends = ((column * rings)[None] + lower[which][:, None] + up for which, up in ((first, 0), (final, 1)))
-    caps = np.stack((starts[:, ::-1], ends))
-    corners[quads:] = caps.ravel()
-    corner_edges[quads:] = np.stack((np.roll(caps[0], -1, axis=1), ends)).ravel()
-    edges = np.empty((around + sides * count, 2), dtype=np.int32)
-    edges[:around, 0] = np.arange(around, dtype=np.int32)
-    edges[:around, 1].reshape(sides, rings)[:] = ahead[:, None] * rings + np.arange(rings, dtype=np.int32)
-    edges[around:].reshape(sides, count, 2)[:] = faces[..., ::3]
-    sharp = np.zeros(len(edges), dtype=bool)
-    sharp[caps.ravel()] = True
-    sizes = np.repeat([4, sides], [count * sides, 2 * tubes])
+    around = np.stack((column[::-1], column))[:, None], np.stack((np.roll(column[::-1], -1), column))[:, None]
+    ends = np.stack((lower[first], lower[final] + 1))[:, :, None]
+    corners[quads:] = (around[0] * rings + ends).ravel()
+    corner_edges[quads:] = (around[1] * own + ends).ravel()
+    sharp = np.zeros(sides * own, dtype=bool)
+    sharp[corner_edges[quads:]] = True
+    offsets = np.concatenate((np.arange(0, quads, 4), np.arange(quads, len(corners) + 1, sides)), dtype=np.int32)
     return Topology(
         corners=corners,
-        offsets=np.concatenate(([0], np.cumsum(sizes))).astype(np.int32),
-        edges=edges,
+        offsets=offsets,
+        edges=edges.reshape(-1, 2),
         corner_edges=corner_edges,
         sharp=sharp,
         material=np.concatenate((np.tile(slot, sides), slot[first], slot[final])),
         name=f"tubes.{sides}.{checksum(begins, slot)}.",
     )
+
+
+def columns(flat, corners, sides, step, ahead):
+    """Lay the quads of all columns: of the first one as they are told, of each further one so much higher.
+
+    The corners that are ahead lie on the next column, for the last one on the first.
+    """
+    quads = flat.reshape(sides, -1, 4)
+    for place, corner in enumerate(corners):
+        quads[0, :, place] = corner
+    shifted(flat.reshape(sides, -1), step)
+    for place in ahead:
+        quads[-1, :, place] -= sides * step
+    return quads
+
+
+def shifted(rows, step):
+    """Fill further rows with the first one, each so much higher than the one before."""
+    for number, row in enumerate(rows[1:], 1):
+        np.add(rows[0], number * step, out=row)

@@ -14,6 +14,7 @@ from ..texture import Texture
 from ..vectors import cross
 from .beside import Numbered, organs, polygons, slots
 from .chart import Chart, Skin
+from .filling import ORGAN, START
 from .laying import laid
 
 SHARPEST = -0.5  # cosine of a turn beyond which a mitre would be more than twice as wide as the tube
@@ -23,11 +24,13 @@ def mesh(figure, sides, texture=Texture.NONE, attributes=True, dtype=np.float64)
     """The mesh of a figure; `Figure.mesh` says of what."""
     require(sides == 0 or 3 <= sides <= 256, "must be 0 or from 3 to 256", sides, "sides")
     made = tubes(figure, sides, texture, attributes, dtype) if sides else wires(figure, attributes, dtype)
-    if figure.organs:
+    named = figure.walk.named
+    with_organs = ORGAN in named and figure.organs
+    if with_organs:
         made = replace(made, chart=Numbered(made.chart, len(made.vertices)))
-    parts = [made, *([polygons(figure, made.chart, dtype)] if len(figure.filled.place) else [])]
-    parts += [organs(figure, made.chart, dtype)] if figure.organs else []
-    return joined(parts)
+    with_polygons = START in named and len(figure.filled.place)
+    parts = [made, *([polygons(figure, made.chart, dtype)] if with_polygons else [])]
+    return joined(parts + ([organs(figure, made.chart, dtype)] if with_organs else []))
 
 
 def wires(figure, attributes, dtype):
@@ -88,8 +91,8 @@ def carried(figure, skin):
     walk = figure.walk
     if not len(figure) or not (walk.spatial or walk.cylinders):  # in its plane it turns about its up alone
         return figure.headings[skin.order], np.tile(walk.up, (len(figure), 1))
-    axes = figure.axes[skin.order]
-    heading, left, up = axes[:, 0], axes[:, 1], axes[:, 2]
+    axes, heading = figure.axes[skin.order], figure.headings[skin.order]
+    left, up = axes[:, 1], axes[:, 2]
     middle = heading[:-1] + heading[1:]
     size = np.einsum("ij,ij->i", middle, middle)
     part = np.einsum("ij,ij->i", left[:-1], middle) / np.where(size > 1e-12, size, 1)
