@@ -15,8 +15,10 @@ import pytest
 from sweep_addon import presets
 from sweep_addon.core import growing
 from sweep_addon.core.grammars import LSystem
+from sweep_addon.presets import grammars
 
 PRESETS = {preset.path.stem: preset for preset in presets.PRESETS if preset.group == "l_system"}
+PAGE = Path(__file__).parents[1] / "docs" / "l_system_presets.md"
 ENTRIES = json.loads((Path(__file__).parent / "data" / "abop.json").read_text())["entries"]
 MOST_VERTICES = 65_536  # Blender draws so many in a few milliseconds
 GOLDEN = (1 + sqrt(5)) / 2
@@ -324,6 +326,21 @@ def test_a_tree_in_the_wind_grows_as_one_that_hangs():
     assert system("windswept_tree").sizes(6) == system("weeping_tree_a").sizes(6)
 
 
+def test_rows_of_a_table_are_one_grammar_with_other_numbers():
+    """Figure 2.6c is 2.6a with other numbers, and 2.7b is 2.7a."""
+    assert system("monopodial_tree_dense").sizes(10) == system("monopodial_tree").sizes(10)
+    assert system("sympodial_tree_wide").sizes(10) == system("sympodial_tree").sizes(10)
+
+
+def test_an_h_tree_fills_a_rectangle_of_paper():
+    """Its bars double and shorten by the root of 2: two levels halve what is left, and sides are as 1 to that root."""
+    found = system("h_tree", r=sqrt(0.5), size=3)
+    figure = found.derive(8).figure()
+    assert len(figure) == 2 * (2**8 - 1)
+    width, height, _ = np.ptp(figure.bounds, axis=0)
+    assert width == pytest.approx(2 * 3 * (1 - 2**-4), rel=1e-9) and width / height == pytest.approx(sqrt(2), rel=1e-9)
+
+
 def test_a_crocus_has_a_leaf_in_each_step_before_its_flower():
     """Leaves are fully grown in the end, and the internodes below them have stopped at 2 or a step later."""
     found = system("crocus")
@@ -389,7 +406,15 @@ def test_branches_of_a_whorl_are_as_many_as_its_slider_says(case):
     assert axes[0] * 5 == pytest.approx(axes[1] * 3)
 
 
-@by([("pine_cone", "scales", "S"), ("succulent", "leaves", "L"), ("daisy", "florets", "D"), ("sunflower", None, "D")])
+@by(
+    [
+        ("pine_cone", "scales", "S"),
+        ("pineapple", "fruitlets", "S"),
+        ("succulent", "leaves", "L"),
+        ("daisy", "florets", "D"),
+        ("sunflower", None, "D"),
+    ]
+)
 def test_organs_in_a_spiral_stand_137_5_degrees_apart(case):
     name, slider, organ = case
     found = system(name)
@@ -448,3 +473,11 @@ def test_a_preset_names_its_source_and_is_quick_to_draw(name):
     assert 0.2 < sizes.max() < 20
     polygons = growing.read(shape.system).derive(shape.generations, shape.seed).figure(shape.upright.upright).filled
     assert len(mesh.boundary_edges()) == len(polygons.points)
+
+
+@pytest.mark.skipif(not PAGE.exists(), reason="the installed zip has no docs")
+def test_the_page_has_the_table_of_the_presets():
+    """Its text is what ``python -m sweep_addon.presets.grammars`` prints."""
+    table = PAGE.read_text().partition("<!-- presets -->\n")[2].partition("<!-- end of presets -->")[0]
+    assert table.strip() == grammars.markdown()
+    assert str(len(PRESETS)) in (PAGE.parents[1] / "README.md").read_text()
