@@ -3,6 +3,8 @@
 """Grammars pasted as the book prints them, and with the arrow of cpfg and L-Py, are those that are typed."""
 
 import pytest
+from test_grammar_conformance import ENTRIES
+from test_grammar_conformance import text as typed_out
 
 from sweep_addon.core.grammars import GrammarError, LSystem
 
@@ -60,3 +62,43 @@ def test_a_refusal_points_into_the_line_that_is_shown():
 def test_legends_are_checked_as_directives_are(text):
     with pytest.raises(GrammarError):
         LSystem.parse(text)
+
+
+HETEROCYSTS = """#define CH 900 /* high concentration */
+#define CT 0.4 /* concentration threshold */
+#define ST 3.9 /* segment size threshold */
+#include H /* heterocyst shape specification */
+#ignore: f ∼ H
+ω : −(90)F(0,0,CH)F(4,1,CH)F(0,0,CH)
+p1 : F(s,t,c) : t=1 & s>=6 → F(s/3∗2,2,c)f(1)F(s/3,1,c)
+p2 : F(s,t,c) : t=2 & s>=6 → F(s/3,2,c)f(1)F(s/3∗2,1,c)
+p3 : F(h,i,k) < F(s,t,c) > F(o,p,r) : s>ST|c>CT → F(s+.1,t,c+0.25∗(k+r−3∗c))
+p4 : F(h,i,k) < F(s,t,c) > F(o,p,r) : !(s>ST|c>CT) → F(0,0,CH) ∼ H(1)
+p5 : H(s) : s<3 → H(s∗1.1)
+"""
+
+
+def test_the_listing_of_the_filament_with_heterocysts_as_printed():
+    entry = next(entry for entry in ENTRIES if entry["id"] == "abop-anabaena-heterocysts")
+    system = LSystem.parse(HETEROCYSTS)
+    assert str(system.derive(entry["iterations"])) == str(LSystem.parse(typed_out(entry)).derive())
+    assert system.constants[0].doc == "high concentration"
+
+
+def test_signs_of_print_in_directives():
+    printed = "#define p 0.3\n#define q 1 − p\n#define h (p∗q) ∧ 0.5 /* height */\n#angle −60\nω : F(h)"
+    typed = "#define p 0.3\n#define q 1 - p\n#define h (p*q)^0.5 # height\n#angle -60\naxiom: F(h)"
+    assert LSystem.parse(printed).angle == -60
+    assert str(LSystem.parse(printed).derive(0)) == str(LSystem.parse(typed).derive(0)) == "F(0.458258)"
+
+
+def test_probabilities_and_contexts_as_printed():
+    printed = "ω : F+F\nF →(.33) FF\nF →(.67) G\n∗ < + > ∗ → −\n− → ε"
+    typed = "axiom: F+F\nF -(.33)-> FF\nF -(.67)-> G\n+ -> -\n- -> *"
+    for generations in (1, 2):
+        assert str(LSystem.parse(printed).derive(generations)) == str(LSystem.parse(typed).derive(generations))
+
+
+def test_comments_as_in_c_are_no_part_of_a_word():
+    told = "axiom: A /* all */ B  # a /* b\nA -> F/F /* roll */\nB -> /F /* not closed"
+    assert str(LSystem.parse(told).derive(1)) == "F/F/F"

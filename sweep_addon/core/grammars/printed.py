@@ -4,23 +4,47 @@
 
 import re
 
-SIGNS = str.maketrans("−–∗∧∼˜’′⟨⟩〈〉", "--*^~~''<><>")
+from .directives import DIRECTIVE, WORDS
+
+SIGNS = str.maketrans("−–∗∧∼˜’‘′⟨⟩〈〉ε", "--*^~~'''<><>*")
 COMPARED = {"≤": "<=", "≥": ">=", "≠": "!="}
 WIDER = re.compile("[ \u00a0]?([→≤≥≠])")  # a blank gives way, so that what follows keeps its column
+CHANCE = re.compile(r"->\s*+\(([^()]*+)\)")  # over its arrow in print; a word begins with no bracket
+REMARK = re.compile(r"#|/\*")
 LEGEND = re.compile(r"\s*+(?:n\s*+=\s*+(\d++))?\s*+,?\s*+(?:(?:δ|delta)\s*+=\s*+(-?[\d.]++)\s*+°?)?\s*+")
 
 
 def typed(line):
-    """A line with the signs that keyboards have, up to its comment.
+    """A line with the signs that keyboards have, up to its comment, which may also stand as in C.
 
     >>> typed("p1 : F(s) : s ≥ 3 → F[+F]F[−F]F  # → a plant")
     'p1 : F(s) : s>= 3-> F[+F]F[-F]F  # → a plant'
+    >>> typed("#define q c − p /* the rest */"), typed("F →(.33) F[−F]")
+    ('#define q c - p #  the rest ', 'F-(.33)-> F[-F]')
     """
-    code, mark, comment = line.partition("#")
-    if code.isascii():
-        return line
-    wider = WIDER.sub(lambda match: COMPARED.get(match[1], "->"), code.translate(SIGNS))
-    return wider.replace("\u00a0", " ") + mark + comment
+    match = DIRECTIVE.match(line)
+    start = match.end() if match and match[1] in WORDS else 0
+    code, mark, comment = remarked(line[start:]).partition("#")
+    if not code.isascii():
+        wider = WIDER.sub(lambda match: COMPARED.get(match[1], "->"), code.translate(SIGNS))
+        code = wider.replace("\u00a0", " ")
+    return line[:start] + CHANCE.sub(r"-(\1)->", code) + mark + comment
+
+
+def remarked(code):
+    """The rest of a line whose comments as in C are blanks, or where nothing is behind one a comment as here.
+
+    >>> remarked("F /* a */ -> F /* b */")
+    'F         -> F #  b '
+    """
+    parts, at, end = [], 0, len(code.rstrip())
+    while (match := REMARK.search(code, at)) and match[0] != "#":
+        close = code.find("*/", match.end())
+        if close < 0 or close + 2 >= end:
+            return "".join((*parts, code[at : match.start()], "# ", code[match.end() : close if close >= 0 else None]))
+        parts += [code[at : match.start()], " " * (close + 2 - match.start())]
+        at = close + 2
+    return "".join((*parts, code[at:]))
 
 
 def legend(text):

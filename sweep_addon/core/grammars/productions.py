@@ -13,6 +13,7 @@ from .vocabulary import draws, formula, value, words
 
 ARROW, EMPTY = "->", "*"
 ALWAYS = "*"  # the book's condition where there is none
+ANY = "*"  # its context where there is none
 LABEL = re.compile(r"(p_?\d+)\s*:", re.ASCII)  # as the book numbers its productions
 
 
@@ -198,6 +199,7 @@ def around(head):
     if rest is None:
         left, rest = None, head
     strict, right = split(rest, ">")
+    left, right = (None if part is not None and part.text == ANY else part for part in (left, right))
     for part in filter(None, (left, strict, right)):
         for sign in "<>":
             if outside(part, sign) is not None:
