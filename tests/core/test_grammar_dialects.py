@@ -160,6 +160,17 @@ def test_a_text_of_houdini_is_told_in_the_symbols_of_the_book():
     ]
 
 
+def test_a_premise_and_rules_of_houdini_may_be_told_in_several_ways():
+    told = [
+        "premise: FA\nrule 1: A=FA",
+        "Premise = FA\nRULE12:A=FA",
+        "premise:FA\n\nA = FA",
+        "premise:FA\nrule: A:1<2=FA",
+    ]
+    words = [str(LSystem.parse(f"#dialect houdini\n{each}").derive(3)) for each in told]
+    assert words == ["FFFFA"] * 4
+
+
 def test_lengths_angles_and_widths_of_houdini_are_scaled_on_the_way():
     """The current length, angle and thickness are what F, + and tubes have that say nothing (help of the node)."""
     premise = 'F["(0.5);(2)!(0.1)F&F][_(0.5)F(3)F]^F'

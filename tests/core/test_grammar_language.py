@@ -90,6 +90,11 @@ def test_any_grammar_reads_as_the_same_when_written(told):
     assert str(LSystem.parse(str(system))) == str(system)
 
 
+def test_a_homomorphism_may_be_called_interpretation():
+    told = "axiom: A\nhomomorphism:\nmaximum depth: 2\nA -> FA"
+    assert str(LSystem.parse(told.replace("homomorphism", "interpretation"))) == str(LSystem.parse(told))
+
+
 def test_blanks_never_matter():
     rule = "0 < A ( x ) > [ B ] C : x > 1 -( 0.5 )-> F ( x , 2 ) [ + F ]"
     said = [LSystem.parse(f"axiom: A(2)\n{each}").productions[0] for each in (rule, rule.replace(" ", ""))]

@@ -26,7 +26,7 @@ MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
 BLOCK = re.compile(r"\s*((?:start|end)(?: each)?)\s*:", re.IGNORECASE)
 SECTION = re.compile(
-    r"\s*(axiom|ω|productions|(?:group|lsystem)\s+\d{1,6}|decomposition|homomorphism|maximum\s+depth)\s*:",
+    r"\s*(axiom|ω|productions|(?:group|lsystem)\s+\d{1,6}|decomposition|homomorphism|interpretation|maximum\s+depth)\s*:",
     re.IGNORECASE,
 )
 
@@ -169,7 +169,7 @@ class Reader:
 
     def sectioned(self, match, passage):
         """What is left of a line that begins with the name of a section."""
-        kind, *number = match.group(1).lower().split()
+        kind, *number = match.group(1).lower().replace("interpretation", "homomorphism").split()
         rest = passage.part(match.end())
         if kind in ("axiom", "ω"):
             if "axiom" in self.told:

@@ -79,10 +79,9 @@ class Reader:
         if not text or text.startswith("#dialect") or text == "#" or text.startswith("#") and text[1].isspace():
             return text
         word, rest = said(passage)
-        kind = word.split()[0] if word else ""
-        if kind == "premise":
+        if word == "premise":
             return f"axiom: {self.word(rest)}"
-        return self.rule(rest) if kind in ("", "rule") else self.setting(word, rest, passage)
+        return self.rule(rest) if word in ("", "rule") else self.setting(word, rest, passage)
 
     def setting(self, word, value, passage):
         if word == "context ignore":
@@ -175,14 +174,14 @@ def said(passage):
     """The words before the colon of a line, and what is behind it; no words and the line where it is a rule.
 
     >>> said(Passage("Step  size: 2", 1))[0], said(Passage("rule 1: A=B", 1))[0], said(Passage("A:i<2=B", 1))[0]
-    ('step size', 'rule 1', '')
+    ('step size', 'rule', '')
     """
     before, colon, behind = passage.text[: LONGEST_WORDS + 1].partition(":")
     if not colon:
         before, colon, behind = passage.text[: LONGEST_WORDS + 1].partition("=")
-        colon = colon if before.split()[:1] == ["premise"] else ""
-    words = " ".join(before.lower().split())
-    named = words.split()[:1] and words.split()[0] in ("premise", "rule")
+        colon = colon if before.strip().lower() == "premise" else ""
+    words = " ".join(before.lower().split()).rstrip("0123456789 ")
+    named = words in ("premise", "rule")
     if not colon or not WORDS.fullmatch(before.strip()) or not named and "=" in passage.text:
         return "", passage
     return words, passage.part(len(before) + 1)
