@@ -92,7 +92,7 @@ def branches(preset):
 
 
 GROWN_MENUS = (
-    grown_menu("VIEW3D_MT_sweep_l_system_plants", "Plants", True),
+    grown_menu("VIEW3D_MT_sweep_l_system_plants", "Plants and Branches", True),
     grown_menu("VIEW3D_MT_sweep_l_system_curves", "Curves and Patterns", False),
 )
 
