@@ -15,7 +15,7 @@ from .grammars.growth import bounds, foretold
 from .parameters import ShapeError
 
 NONE = Values()
-QUICK, MOMENT = 400_000, 0.5  # modules, and seconds, up to which a word is derived while somebody waits
+QUICK, MOMENT = 400_000, 1.0  # modules, and seconds, up to which a word is derived while somebody waits
 BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
 
@@ -56,14 +56,20 @@ def system(plant):
 
 def takes_long(plant):
     """Whether the word of a plant is too long to be derived while somebody drags a slider."""
-    tables = read(plant.system, plant.constants).compiled
-    sizes = foretold(tables, plant.generations)
+    sizes, limits = known(plant.system, plant.constants, plant.generations)
     if sizes:
         return QUICK < max(sizes) <= plant.budget
-    limits = bounds(tables, plant.generations)
     if limits and limits[0] > plant.budget:
         return False  # it is refused at once
     return quick(*asked(plant)) is None
+
+
+@lru_cache(maxsize=16)
+def known(text, constants, generations):
+    """What is known of the sizes of words before they are derived: those of all generations, or limits, or neither."""
+    tables = read(text, constants).compiled
+    sizes = foretold(tables, generations)
+    return sizes, None if sizes else bounds(tables, generations)
 
 
 def asked(plant):
@@ -143,12 +149,13 @@ def within(modules):
 
 def size(plant):
     """How many modules the word of a plant will have, before anything is derived: a sentence."""
-    tables = read(plant.system, plant.constants).compiled
     here, more = plant.generations, plant.generations + 1
-    found = foretold(tables, more)
-    if found and len(found) > more:
-        return f"{sized(found[here])} modules; one step more makes {sized(found[more])}"
-    limits = bounds(tables, here)
+    sizes, _ = known(plant.system, plant.constants, more)
+    if sizes and len(sizes) > more:
+        return f"{sized(sizes[here])} modules; one step more makes {sized(sizes[more])}"
+    sizes, limits = known(plant.system, plant.constants, here)
+    if sizes:
+        return f"More than {sized(sizes[-1])} modules"
     if limits:
         return f"{sized(limits[0])} to {sized(limits[1])} modules"
     return "How many modules there will be hangs on what happens"
