@@ -82,3 +82,12 @@ def test_a_tree_is_where_its_mesh_is(seed):
     part = np.array([np.mean(labels == 1), volume / (high - low).prod()])
     deviation = np.sqrt(part[1] * (1 - part[1]) / POINTS)
     assert abs(part[0] - part[1]) < 5 * deviation + 0.002
+
+
+def test_a_tree_doubled_many_times_is_told_at_once():
+    """A union of a tree and itself is that tree; asked of both each time it would be two to the power of forty."""
+    tree = one = sw.solids.Block(1.0, 1.0, 1.0) | sw.solids.Ball(0.6)
+    for _ in range(40):
+        tree = sw.Tree(tree, [("union", tree)])
+    points = np.random.default_rng(0).uniform(-1, 1, (1000, 3))
+    assert (sw.classify(tree, points) == sw.classify(one, points)).all()

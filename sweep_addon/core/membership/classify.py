@@ -40,7 +40,7 @@ def classify(shape, points, tolerance=None, progress=None):
     Raises
     ------
     ShapeError
-        For a tree or a moving solid of what is no solid, and for points that are not numbers in rows of three.
+        For a tree of what is no solid, and for points that are not numbers in rows of three.
 
     Source
     ------

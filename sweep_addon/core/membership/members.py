@@ -100,7 +100,9 @@ def tree(shape):
     steps = []
     for number, step in enumerate(shape.steps, 1):
         with at(f"steps.{number}.operand"):
-            steps.append((spelled(step.operation), solid(step.operand)))
+            operation, operand = spelled(step.operation), solid(step.operand)
+        if steps or operand is not base or operation == "difference":  # of itself a union is what it is
+            steps.append((operation, operand))
     return TreeMember(base, steps)
 
 
@@ -110,7 +112,9 @@ def placed(shape):
 
 
 def moving(shape):
-    """A solid that moves."""
+    """A solid that moves, or a surface, which stands at both ends and is told by the mesh of what it visits."""
+    if member(shape.solid).is_sheet:
+        return meshed(shape.mesh())
     rigid = shape.rigid
     turns = rigid.turn_x, rigid.turn_y, rigid.turn_z
     with at("solid"):
