@@ -13,9 +13,11 @@ from test_grammar_conformance import ENTRIES, text
 from test_grammar_dialects import FASS, LEAF
 from test_grammar_language import WHOLE
 
+from sweep_addon import presets
 from sweep_addon.core.grammars import Budget, GrammarError, LSystem
 from sweep_addon.core.parameters import ShapeError
 
+OFFERED = [str(presets.shape(preset.name).system) for preset in presets.PRESETS if preset.group == presets.GROWN]
 SMALL = Budget(modules=5000, bytes=5_000_000, seconds=1)
 SECONDS = 2.0  # of processor time
 LARGEST = 5.0  # for a text as large as one may be: two on an idle machine
@@ -53,7 +55,7 @@ def test_any_pieces_are_a_grammar_or_refused(told):
 
 
 @MANY
-@given(st.sampled_from([*map(text, ENTRIES), WHOLE, LEAF, FASS]), st.data())
+@given(st.sampled_from([*map(text, ENTRIES), *OFFERED, WHOLE, LEAF, FASS]), st.data())
 def test_any_mutation_of_a_grammar_is_one_or_refused(told, data):
     for _ in range(data.draw(st.integers(1, 6))):
         at, to = sorted(data.draw(st.tuples(*[st.integers(0, len(told))] * 2)))
