@@ -8,6 +8,7 @@ from ..sweep_addon.core.parameters import ShapeError
 growing, objects, texts = later("core.growing"), later("bridge.objects"), later("bridge.texts")
 
 MOST_PROBLEMS = 6  # that are shown; one is mended at a time
+MOST_CONSTANTS = 50  # that are shown
 UNITS = {"angle": " (deg)"}
 
 
@@ -38,6 +39,8 @@ def draw_text(layout, group, say):
 
 def draw_size(layout, mesh, say):
     """How large the word will be, which is known before it is derived."""
+    if problems(mesh.sweep.plant):
+        return
     try:
         say(layout, growing.size(objects.shapes(mesh)[0]), "BLANK1")
     except ShapeError:
@@ -55,10 +58,10 @@ def draw_constants(layout, group):
         return
     column = body.column(align=True)
     column.use_property_split = column.use_property_decorate = True
-    for constant in texts.system(group).constants:
-        name = constant.name + UNITS.get(constant.unit, "")
-        if constant.name in group.constants:
-            column.prop(group.constants, f'["{constant.name}"]', text=name, slider=constant.low is not None)
+    for constant in texts.system(group).constants[:MOST_CONSTANTS]:
+        name, key = constant.name + UNITS.get(constant.unit, ""), texts.key(constant.name)
+        if key in group.constants:
+            column.prop(group.constants, f'["{key}"]', text=name, slider=constant.low is not None)
         else:
             row = column.split(factor=0.4)
             row.alignment = "RIGHT"

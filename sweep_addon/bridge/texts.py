@@ -5,6 +5,8 @@
 The mesh keeps its own copy of the text, so that it outlives the text. Numbers that nobody has turned follow the text.
 """
 
+from itertools import islice
+
 import bpy
 import numpy as np
 
@@ -15,13 +17,20 @@ from ..core.plant import SAID
 from . import rna
 
 LARGEST = 2**31 - 1  # whole number of a property
+LONGEST, MOST = 63, 500  # characters of a property's name, and properties: further constants have the text's values
+TAKEN = ("name", "rna_type")  # by every group, so that a path with them leads elsewhere
 SUBTYPES = {"length": "DISTANCE"}
 STEP = 1.0  # hundredths of the value, by which a pixel changes a number without a range
 
 
 def numbers(values):
     """What the properties of constants hold: a tuple of names and numbers."""
-    return tuple((name, meant(value)) for name, value in values.items() if isinstance(value, (int, float)))
+    return tuple((key.rstrip(), meant(value)) for key, value in values.items() if isinstance(value, (int, float)))
+
+
+def key(name):
+    """The name of a constant's property: its own, with a blank behind it where Blender has one of that name."""
+    return f"{name} " if name in TAKEN else name
 
 
 def meant(value):
@@ -53,7 +62,7 @@ def turn(group, values):
     """Give the constants of a group's grammar their properties, some of them with other values than the text's."""
     sliders(group.constants, {}, growing.free(Grammar(group.system)))
     for name, value in values.items():
-        group.constants[name] = value
+        group.constants[key(name)] = value
 
 
 def follow(mesh):
@@ -102,14 +111,17 @@ def sliders(values, known, free):
     known, free : dict of str to Constant
         Those of the text before, and of the text now.
     """
-    for name in [name for name in values.keys() if name not in free]:
-        del values[name]
+    free = {name: constant for name, constant in free.items() if len(key(name)) <= LONGEST}
+    free = dict(islice(free.items(), MOST))
+    for stale in [held for held in values.keys() if held.rstrip() not in free]:
+        del values[stale]
     for name, constant in free.items():
-        turned = name in values and (name not in known or meant(values[name]) != known[name].value)
-        values[name] = float(values[name]) if turned else constant.value  # a script may have given a whole number
+        own = key(name)
+        turned = own in values and (name not in known or meant(values[own]) != known[name].value)
+        values[own] = float(values[own]) if turned else constant.value  # a script may have given a whole number
         low, high = (constant.low, constant.high) if constant.low is not None else (-1e6, 1e6)
         size = high - low if constant.low is not None else abs(constant.value) or 1.0
-        values.id_properties_ui(name).update(
+        values.id_properties_ui(own).update(
             default=constant.value,
             soft_min=low,
             soft_max=high,

@@ -20,10 +20,21 @@ BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
 
 
-@lru_cache(maxsize=64)
 def read(text, constants=NONE):
     """The system of a text, with values for some of its constants."""
-    return LSystem.parse(str(text), dict(constants))
+    found = tried(text, constants)
+    if isinstance(found, ShapeError):
+        raise found.with_traceback(None)
+    return found
+
+
+@lru_cache(maxsize=16)
+def tried(text, constants):
+    """The system of a text, or its refusal: the sidebar asks with each draw, whatever somebody has written."""
+    try:
+        return LSystem.parse(str(text), dict(constants))
+    except ShapeError as refusal:
+        return refusal
 
 
 def problems(text):

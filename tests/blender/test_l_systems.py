@@ -294,3 +294,21 @@ def test_a_constant_is_animated_in_rendered_frames_too(scene):
     depsgraph = bpy.context.evaluated_depsgraph_get()
     read = objects.shapes(ob.data.evaluated_get(depsgraph), depsgraph)[0]
     assert read.constants["l"] == pytest.approx(1.5, abs=1e-5)
+
+
+def test_a_constant_may_have_a_name_that_blender_uses_itself(scene):
+    ob = plant("#define name 1  # 0 .. 3 m how long\naxiom: F(name)")
+    path = f'sweep.plant.constants["{texts.key("name")}"]'
+    for frame, value in ((1, 1.0), (3, 3.0)):
+        turned(ob, texts.key("name"), value)
+        ob.data.keyframe_insert(path, frame=frame)
+    scene.frame_set(2)
+    assert height(ob) == pytest.approx(2) and sw.from_object(ob).constants == {"name": 2}
+
+
+def test_a_thousand_constants_and_names_that_are_too_long_keep_nobody_waiting(scene):
+    lines = "\n".join(f"#define c{number} {number}" for number in range(1000))
+    long = "l" * 80
+    ob = plant(f"{lines}\n#define {long} 2\naxiom: F({long})F(c999)")
+    assert height(ob) == pytest.approx(1001) and len(parameters_of(ob).constants.keys()) == texts.MOST
+    assert sw.from_object(ob).constants == {}
