@@ -86,6 +86,8 @@ def test_lines_of_cpfg(line, book):
         ("#dialect cpfg\naxiom: A\n#define f(x,y) x\nA --> F(f(1))", 4, "2 parameters of f"),
         ("#dialect cpfg\naxiom: A\n#define f(2) x", 3, "names for the parameters of a macro"),
         ("#dialect cpfg\naxiom: A\nA[B] < C --> A", 3, "a left context without brackets"),
+        ("#dialect cpfg\naxiom: A\nA(x) --> F(trunc(x))", 3, "no functions that mean something else"),
+        ("#dialect cpfg\naxiom: A\nA(x) : atan2(x,1) > 3 --> F", 3, "no functions that mean something else"),
         ("#dialect cpfg\naxiom: A\nA --> !F", 3, "one number in brackets behind !"),
         ("#dialect cpfg\naxiom: A\nA --> F@M(1,2,3)", 3, "a symbol that has a meaning here"),
         ("#dialect cpfg\naxiom: A\nhomomorphism\nseed: 3", 4, "one seed"),
@@ -124,6 +126,14 @@ def test_macros_of_cpfg_are_pasted_with_their_parameters_and_lines_go_on():
     leaf = "['(3)~circle(0.2)+(60)F(0.5)]"
     assert str(found.derive(1)) == f"F(0.5){leaf}A(0.5,3)"  # the sine of 30 degrees
     assert str(found.derive(20)).count("F") == 2 * 8  # while 4 x^2 + 49 <= 100
+
+
+def test_functions_that_mean_the_same_are_read():
+    """fabs of C, and what L-Py has of Python's module math; 16 and 81 have whole roots."""
+    cpfg = "#dialect cpfg\naxiom: A(-16)\nA(x) --> F(fabs(x), sqrt(fabs (x)), asin(1))"
+    assert str(LSystem.parse(cpfg).derive(1)) == "F(16,4,90)"
+    lpy = "#dialect lpy\nfrom math import *\nr = sqrt(81)\nAxiom: A(r)\nA(x) --> B(floor(x/2), log(e))"
+    assert str(LSystem.parse(lpy).derive(1)) == "B(4,1)"
 
 
 def test_recursion_of_cpfg_goes_one_level_deep_unless_it_says_how_deep():
@@ -243,7 +253,7 @@ def test_other_programs_texts_are_exported_to_the_book_and_read_again(told):
         ("#dialect houdini\npremise: F\n!=FA", 3, "a symbol that rules may replace"),
         ("#dialect houdini\npremise: F\nview: 3", 3, "a premise, a rule as A=FA, or one of"),
         ("#dialect houdini\npremise: F\nangle: x", 3, "a number"),
-        ("#dialect lpy\nfrom math import *\nAxiom: F", 2, "a declaration, a value, or a rule with '-->'"),
+        ("#dialect lpy\nfrom random import *\nAxiom: F", 2, "a declaration, a value, or a rule with '-->'"),
         ("#dialect lpy\nAxiom: F\nF(x) :\n  produce F(x/2)", 3, "a declaration, a value, or a rule with '-->'"),
         ("#dialect lpy\nAxiom: F@O(2)", 2, "a symbol that has a meaning here"),
         ("#dialect lpy\nAxiom: F Sphere(2)", 2, "a symbol that has a meaning here"),

@@ -52,6 +52,8 @@ KNOWN = ("@v", "@Gs", "@Gc", "@Ge", "@Gt", "?P", "?H", "?L", "?U", "?E")
 ORGANS = {"@O": "sphere", "@o": "circle", "@c": "circle"}  # of the diameter that they say
 MOVES = "g"  # without a line or a vertex
 BLOCK = re.compile(r"\s*(start|end)\s*+(each)?\s*+:(.*)", re.IGNORECASE | re.DOTALL)
+ABSOLUTE = re.compile(r"\bfabs(?=\s*\()")
+DIFFERENT = re.compile(r"\b(trunc|atan2)\s*\(")  # the one rounds there, and of the other the order is not known
 GRANTED = "maximum depth: 1"  # of a homomorphism and a decomposition, where the text says nothing
 
 
@@ -94,6 +96,10 @@ class Reader:
                 source.refuse("#define", 0, shown(source.text))
             return line
         line = self.pasting.pasted(line, source)
+        line = ABSOLUTE.sub("abs", line)
+        other = DIFFERENT.search(line)
+        if other:
+            source.refuse("no functions that mean something else here", 0, shown(other.group(1)))
         if SHOWN.fullmatch(line) or NOTHING.fullmatch(line):
             return ""
         block = BLOCK.fullmatch(line)

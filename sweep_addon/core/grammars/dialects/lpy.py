@@ -28,6 +28,7 @@ SECTION = re.compile(
 )
 VIEW = re.compile(r"#+ INITIALISATION #+\s*")  # where L-Py's editor begins to write how a model is shown
 RADIANS = re.compile(r"\b(?:sin|cos|tan|asin|acos|atan|atan2)\s*\(")
+MATHEMATICS = re.compile(r"from math import\b")  # whose functions are the same here, but those of angles
 DEPTHS = ("decomposition", "homomorphism")
 TOLD = {"production": "", "decomposition": "decomposition:", "homomorphism": "homomorphism:"}
 GRANTED = ("#angle 60", "#width 0.2", "#generations 1")
@@ -91,6 +92,8 @@ class Reader:
             return self.sectioned(passage, section)
         if outside(text, "-->") >= 0:
             return self.rule(passage)
+        if MATHEMATICS.match(text):
+            return ""
         value = VALUE.fullmatch(text)
         if value and not source[:1].isspace():
             return f"#define {value[1]} {self.formula(passage.part(value.start(2)))}"
