@@ -13,7 +13,7 @@ declared_layout, objects = later("bridge.layout"), later("bridge.objects")
 operands, solvers, trees = later("bridge.operands"), later("bridge.solvers"), later("bridge.trees")
 
 LOOKED_AT = 100  # selected objects, for a second mesh among them: a draw takes no longer however many there are
-MOST_ROWS = 10
+MOST_ROWS = 8
 MOST_PARTS = 100  # that are looked at in a draw
 ICONS = {"UNION": "SELECT_EXTEND", "INTERSECT": "SELECT_INTERSECT", "DIFFERENCE": "SELECT_SUBTRACT"}
 
@@ -96,19 +96,19 @@ def draw_rows(layout, ob, steps, held, bent, picked):
 
     Known are what the steps hold, and which of that has modifiers.
     """
-    rows = list(lines(ob, steps, held, bent, 0, {ob}))
-    at = next((i for i, (owner, modifier, _) in enumerate(rows) if picked == (owner, modifier)), 0)
+    rows, depths = zip(*lines(ob, steps, held, bent, 0, {ob}), strict=True)
+    at = rows.index(picked) if picked in rows else 0
     first = max(0, min(at - MOST_ROWS // 2, len(rows) - MOST_ROWS))
     last = min(first + MOST_ROWS, len(rows))
     if first:
         name_step(layout.operator("object.sweep_step_pick", text=f"{first} more above"), ob, *rows[first - 1])
-    for owner, modifier, depth in rows[first:last]:
+    for (owner, modifier), depth in zip(rows[first:last], depths[first:last], strict=True):
         draw_step(layout, ob, owner, modifier, depth, picked)
     if last < len(rows):
         name_step(layout.operator("object.sweep_step_pick", text=f"{len(rows) - last} more below"), ob, *rows[last])
 
 
-def name_step(button, active, owner, modifier, depth=0):
+def name_step(button, active, owner, modifier):
     """Say of which step a button is."""
     button.step = modifier.name
     if owner != active:
@@ -124,7 +124,7 @@ def summary(count, used):
 def lines(ob, steps, held, bent, depth, entered):
     """Each step of a tree with the object that has it and how deep it is, those of an operand below its first one."""
     for modifier, operand in zip(steps, held, strict=True):
-        yield ob, modifier, depth
+        yield (ob, modifier), depth
         if operand in bent and operand not in entered:
             entered.add(operand)
             inner = trees.booleans(operand)

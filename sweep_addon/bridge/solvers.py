@@ -138,7 +138,8 @@ def seen_exact(ob, bare, others):
     mirrored = ob.matrix_world.is_negative
     for part in bare:
         mesh = part.data
-        if len(mesh.loops) != 2 * len(mesh.edges) or part.matrix_world.is_negative != mirrored or not mesh.edges:
+        edges = len(mesh.edges)
+        if len(mesh.loops) != 2 * edges or not edges or part.matrix_world.is_negative != mirrored:
             return why_exact(part, mirrored, seems_closed)
     return next(filter(None, (why_exact(part, mirrored, seems_closed) for part in others)), "")
 

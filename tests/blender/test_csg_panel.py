@@ -74,11 +74,11 @@ def test_steps_of_an_operand_stand_below_it_further_in(scene):
 
 
 def test_an_operand_that_is_shared_is_entered_once(scene):
-    """Twelve times two steps are 24 rows, ten of them drawn; by every way that leads to them they are 2^13 - 2."""
+    """Twelve times two steps are 24 rows, eight of them drawn; by every way that leads to them they are 2^13 - 2."""
     top = doubled(12)[0]
     top.modifiers.active = None
     calls = drawn(top)
-    assert "14 more below" in calls and calls.count("operation") == 10
+    assert "16 more below" in calls and calls.count("operation") == 8
 
 
 def test_an_operand_says_whose_it_is(scene):
@@ -164,7 +164,7 @@ def test_a_file_whose_solver_this_blender_lacks_says_so(scene, tmp_path):
 def test_a_draw_of_fifty_operands_is_few_calls_about_the_one_that_is_picked(scene):
     body = result(50)
     steps = trees.booleans(body)
-    for number, more in ((0, {"40 more below"}), (25, {"20 more above", "20 more below"}), (49, {"40 more above"})):
+    for number, more in ((0, {"42 more below"}), (25, {"21 more above", "21 more below"}), (49, {"42 more above"})):
         trees.pick(body, body, steps[number])
         calls = drawn(body)
         assert {call for call in calls if " more " in call} == more and steps[number].object.name in calls
