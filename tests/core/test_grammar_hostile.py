@@ -26,7 +26,8 @@ PIECES = (
     "axiom: |#define a |#names |#ignore |#consider |#angle |#groups |#tropism |#dialect cpfg|#dialect fractint|group 2:"
     "|decomposition:|homomorphism:|maximum depth: |-(0.5)->|->|-->| : | < | > |[|]|(|)|{|}|.|,|*|&&|ran(|nran(1,|if("
     "|A(x)|A|B(x,y)|x|y|F|F(1)|f|G|+|-|&|^|\\|/|$|!|'|~|%|?P(x,y,z)|@Gs|@Ge|0|1|2|0.5|1e308|1e-308|/0|\0"
-    "|\n|\n|\n| |Ω|\ud800"
+    "|start: n = 1|start each: n = n+1|end: n = 2|n|lsystem 1:|?(1,2)|?E(x)|@Gc(3)|@Gt(1,2)|@Sl(2)|@Sa(x)|#heading y"
+    "|#names Fl, leaf|Fl|leaf|->(0.5)|/*|*/|→|−|ε|* < |\n|\n|\n| |Ω|\ud800"
 )
 
 
@@ -277,8 +278,10 @@ def test_what_is_drawn_is_finite(told):
         "axiom: " + "[F&" * 30_000 + "F$" + "]" * 30_000,
         "axiom: " + "F&$" * 20_000,
         NAMES + "axiom: " + "".join(f"~nm{k} F" for k in range(9000)),
+        "axiom: " + "@Gs f[+" * 10_000 + "@Ge f]" * 10_000,
+        "axiom: " + "?(1,0.9)F" * 20_000 + "$" * 20_000 + "\nlsystem 1:\nF -> F",
     ],
-    ids=["polygons", "polygons in polygons", "a nest", "a path", "organs"],
+    ids=["polygons", "polygons in polygons", "a nest", "a path", "organs", "curves in branches", "systems in systems"],
 )
 def test_no_word_takes_long_to_draw(told):
     word = LSystem.parse(told).derive(0)
