@@ -137,7 +137,7 @@ class Figure:
     def follows(self):
         """(n,) bool array: whether each segment begins where its parent ends."""
         walk = self.walk
-        moved = walk.branches.previous(walk.branches.first(walk.is_moving))[self.drawn]
+        moved = walk.branches.previous(walk.first)[self.drawn]
         found = (moved >= 0) & self.drawn[moved]
         if walk.cylinders:  # whose turtle moves between two curves, and draws nothing
             place = self.place

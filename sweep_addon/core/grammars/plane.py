@@ -33,7 +33,7 @@ class Plane:
         sense[walk.numbers(right)] = -1
         steps = walk.looked_up(sense)
         if len(walk.branches.brackets):
-            return walk.branches.counts_at(steps, walk.moves, walk.branches.first(walk.is_moving))
+            return walk.branches.counts_at(steps, walk.moves, walk.first)
         found, until = np.empty(len(walk.moves), dtype=np.int32), 0
         edges = range(0, len(steps), BLOCK)
         stops = np.searchsorted(walk.moves, [edge + BLOCK for edge in edges]).tolist()

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rotations of a walk in space, taken together where nothing is between them."""
 
+from functools import cached_property
+
 import numpy as np
 
 from . import turns
@@ -84,15 +86,24 @@ class Tokens:
 
     def changed(self, tokens, z, w):
         """What rolling level does at tokens, and the tropism behind them."""
-        rolls = np.flatnonzero(self.is_level[tokens])
-        if len(rolls):
-            z[rolls], w[rolls] = turns.level(z[rolls], w[rolls])
+        if self.walk.levels:
+            rolls = np.flatnonzero(self.is_level[tokens])
+            if len(rolls):
+                z[rolls], w[rolls] = turns.level(z[rolls], w[rolls])
         if not self.walk.bends:
             return (z, w), (z, w)
+        drawing = self.drawing[tokens]
+        if drawing.all():
+            return (z, w), turns.bent(z, w, *self.bend)
+        draws = np.flatnonzero(drawing)
+        left = z.copy(), w.copy()
+        left[0][draws], left[1][draws] = turns.bent(z[draws], w[draws], *self.bend)
+        return (z, w), left
+
+    @cached_property
+    def bend(self):
+        """The direction of the tropism, as its x and y + iz, and how easily segments bend."""
         *towards, ease = self.walk.system.tropism
         towards = np.array(towards) / np.abs(towards).max()  # whose square may be no number
-        towards /= np.linalg.norm(towards)
-        draws = np.flatnonzero(self.drawing[tokens])
-        left = z.copy(), w.copy()
-        left[0][draws], left[1][draws] = turns.bent(z[draws], w[draws], towards, ease)
-        return (z, w), left
+        x, y, z = (towards / np.linalg.norm(towards)).tolist()
+        return (x, complex(y, z)), ease

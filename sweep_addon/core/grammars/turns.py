@@ -96,10 +96,10 @@ def level(z, w):
 
 
 def bent(z, w, towards, ease):
-    """Turn the heading towards a direction, by as much as the sine between them times the ease, in radians."""
+    """Turn the heading towards a direction, its x and y + iz, by the sine between them times the ease, in radians."""
     x, yz = heading(z, w)
-    tx, tyz = towards[0], towards[1] + 1j * towards[2]
-    across = yz * np.conj(tyz)
+    tx, tyz = towards
+    across = yz * tyz.conjugate()
     axis_x = -across.imag
     axis_yz = -1j * (tx * yz - x * tyz)
     size = np.sqrt(axis_x**2 + axis_yz.real**2 + axis_yz.imag**2)
@@ -134,19 +134,20 @@ def along_paths(relative, parent, depth, start, change=None):
     waves = int(depth.max()) + 1
     if change is None and len(parent) < FEW * waves:
         return by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves))))
-    found, left = empty(len(parent)), empty(len(parent) + 1)
+    order, stops = np.argsort(narrow(depth), kind="stable"), np.cumsum(np.bincount(depth)).tolist()
+    rank = np.empty(len(parent) + 1, dtype=np.intp)
+    rank[order], rank[-1] = np.arange(len(parent)), len(parent)
+    above, relative = rank[parent[order]], taken(relative, order)  # so that each wave stands in a row
+    left = empty(len(parent) + 1)
+    found = left if change is None else empty(len(parent))
     left[0][-1], left[1][-1] = start
-    order = np.argsort(narrow(depth), kind="stable")
-    for wave in np.split(order, np.cumsum(np.bincount(depth))[:-1]):
-        turned = product(taken(left, parent[wave]), taken(relative, wave))
-        leaves = turned
+    for wave in map(slice, [0, *stops], stops):
+        turned = product(taken(left, above[wave]), taken(relative, wave))
         if change is not None:
-            turned, leaves = change(wave, *turned)
+            turned, leaves = change(order[wave], *turned)
             left[0][wave], left[1][wave] = leaves
-        else:
-            left[0][wave], left[1][wave] = turned
         found[0][wave], found[1][wave] = turned
-    return found
+    return taken(found, rank[:-1])
 
 
 def by_blocks(relative, parent, depth, start, size):

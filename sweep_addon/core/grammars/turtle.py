@@ -9,6 +9,7 @@ the diameter and ``'`` the colour; ``[ ]`` begin and end a branch; ``{ . }`` mak
 """
 
 import re
+from functools import cached_property
 
 import numpy as np
 
@@ -77,6 +78,11 @@ class Walk:
         self.along = along or ("z" if self.spatial and self.named.get(OPEN) else "x")
         self.start = tuple(complex(part) for part in STARTS[self.along])
 
+    @cached_property
+    def first(self):
+        """(b + 2,) int array: which of the moves is the first of each stretch, and how many there are."""
+        return self.branches.first(self.is_moving)
+
     def numbers(self, *names):
         """The numbers of all modules of these names."""
         return [number for name in names for number, _ in self.named.get(name, ())]
@@ -126,16 +132,15 @@ class Walk:
         if not self.spatial and self.along != "z":
             plane = Plane(self)
             if np.ndim(length) or len(self.branches.brackets):
-                ways = self.branches.sums(plane.ways(length), self.branches.first(self.is_moving))
+                ways = self.branches.sums(plane.ways(length), self.first)
                 start, end = self.points([[way.real, way.imag] for way in ways])
             else:
                 start, end = plane.path(length)
             found = plane.quaternions
         else:
-            first = self.branches.first(self.is_moving)
             pair = Tokens(self).orientations()
             x, yz = turns.heading(*pair)
-            (x, x_end), (yz, yz_end) = (self.branches.sums(way * length, first) for way in (x, yz))
+            (x, x_end), (yz, yz_end) = (self.branches.sums(way * length, self.first) for way in (x, yz))
             start, end = self.points([[x, yz.real, yz.imag], [x_end, yz_end.real, yz_end.imag]])
 
             def found():
