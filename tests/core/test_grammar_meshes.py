@@ -52,6 +52,17 @@ def test_a_mitred_tube_has_the_volume_of_its_contour_times_its_length(turns_, si
     assert mesh.volume() == pytest.approx(polygon(sides, 0.02) * len(turns_), rel=1e-9)
 
 
+@pytest.mark.parametrize("corners", [4, 7])
+def test_a_closed_tube_has_no_notch_where_it_begins(corners):
+    """Each corner of a regular polygon is as far from its centre as the others: that of the first and last ring too."""
+    told = f"#angle 360/{corners}\n#width 0.1\naxiom: {'F+' * corners}"
+    figure = LSystem.parse(told).derive(0).figure()
+    mesh = figure.mesh(4)
+    outer = np.sort(np.linalg.norm(mesh.vertices - figure.start.mean(axis=0), axis=1))[::-1][: corners + 1]
+    assert outer == pytest.approx(np.full(corners + 1, outer[0]), rel=1e-9)
+    assert mesh.volume() == pytest.approx(polygon(4, 0.1) * corners, rel=1e-9)
+
+
 def test_a_tube_that_only_rolls_does_not_twist():
     figure = LSystem.parse("axiom: F/(40)F/(40)F\\(10)F").derive(0).figure()
     vertices = figure.mesh(5).vertices.reshape(5, -1, 3)

@@ -17,6 +17,7 @@ from .chart import Chart, Skin
 from .filling import ORGAN, START
 from .laying import laid
 
+ALMOST = 1e-9  # of the largest coordinate: nearer than that an axis ends where it began
 SHARPEST = -0.5  # cosine of a turn beyond which a mitre would be more than twice as wide as the tube
 
 
@@ -74,12 +75,30 @@ def mitred(figure, skin, dtype):
     together = along[:-1] + along[1:]
     cosine = np.einsum("ij,ij->i", along[:-1], along[1:])
     share = np.where((cosine > SHARPEST) & ~skin.begins[1:], 1 / np.maximum(1 + cosine, 0.1), 0)
+    first, last = closed(skin, along)
+    around = along[last] + along[first]
+    around *= 2 / np.einsum("ij,ij->i", around, around)[:, None]
     for axis in (across, cross(along, across)):
         ring = np.empty((skin.rings, 3), dtype)
         ring[skin.first] = axis[skin.begins]
+        ring[skin.lower[first]] -= np.einsum("ij,ij->i", axis[first], around)[:, None] * along[first]
+        axis[last] -= np.einsum("ij,ij->i", axis[last], around)[:, None] * along[last]
         axis[:-1] -= (np.einsum("ij,ij->i", axis[:-1], together) * share)[:, None] * along[:-1]
         ring[skin.lower + 1] = axis
         yield ring
+
+
+def closed(skin, along):
+    """Two (a,) int arrays: which sorted segments begin, and which end, the axes that end where they began."""
+    points = skin.points
+    apart = points[skin.final] - points[skin.first]
+    axis = np.flatnonzero(
+        np.einsum("ij,ij->i", apart, apart) <= (ALMOST * max(points.max(initial=0), -points.min(initial=0))) ** 2
+    )
+    first = np.flatnonzero(skin.begins)[axis]
+    last = first + skin.final[axis] - skin.first[axis] - 1
+    meets = (last > first) & (np.einsum("ij,ij->i", along[last], along[first]) > SHARPEST)
+    return first[meets], last[meets]
 
 
 def carried(figure, skin):
