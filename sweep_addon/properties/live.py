@@ -32,7 +32,7 @@ def rebuild(mesh, depsgraph=None):
     sweep = mesh.sweep
     if sweep.kind == "NONE" or mesh.is_editmode:
         return
-    if sweep.kind == GROWN:
+    if sweep.kind == GROWN and not (depsgraph and depsgraph.mode == "RENDER"):
         texts.follow(mesh)
         reading.begin()
     try:
