@@ -21,6 +21,7 @@ from .camera import axes, fit, turned
 from .export import PICTURES, silent, whole
 from .job import Engine
 
+CORNERS = np.array([(-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)])  # of what is looked at where nothing is, in metres
 LENS = 70.0  # mm on a sensor 36 mm wide: little perspective
 SENSOR = 36.0
 NOISE = 0.04, 0.01  # where a pixel has no need of more samples, with a denoiser and without
@@ -74,6 +75,8 @@ def stage(shown, render, frame=0):
     scene = bpy.context.scene
     bpy.context.view_layer.update()  # of objects that were moved since
     points = np.concatenate([places(ob) for ob in shown])
+    if not len(points):  # where steps leave nothing the picture is empty, of where it would be
+        points = np.concatenate([np.array(ob.location)[None] + CORNERS for ob in shown])
     low, high = points.min(axis=0), points.max(axis=0)
     radius = max(float(np.linalg.norm(high - low)) / 2, 1e-6)
     middle = (low + high) / 2

@@ -83,3 +83,10 @@ def test_models_hold_what_a_tree_shows(scene, job, suffix):
         alone.write_text(sw.dump(base))
         assert main(["build", str(alone), "--output", str(alone.with_suffix(suffix))]) == 0
         assert len(data) > len(alone.with_suffix(suffix).read_bytes()) + 100
+
+
+def test_build_tells_of_a_tree_of_which_nothing_is_left(scene, tmp_path, capsys):
+    path = tmp_path / "nothing.toml"
+    path.write_text(sw.dump(sw.solids.Block() - sw.solids.Block(9.0, 9.0, 9.0)))
+    assert main(["build", str(path), "--output", str(tmp_path / "nothing.blend")]) == 0
+    assert f"{path}: Tree: nothing is left: the steps take all of it away." in capsys.readouterr().err
