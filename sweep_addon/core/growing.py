@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .grammar_text import Values
+from .grammar_text import Grammar, Values
 from .grammars import Budget, GrammarError, LSystem
 from .grammars.budget import sized
 from .grammars.chart import Skin
@@ -85,7 +85,15 @@ def known(text, constants, generations):
 
 def asked(plant):
     """What the word of a plant hangs on."""
-    return plant.system, plant.constants, plant.generations, plant.seed, plant.budget
+    return told(plant), plant.constants, plant.generations, plant.seed, plant.budget
+
+
+def told(plant):
+    """The text of a plant; where it asks a turtle, whose answers hang on the plant's own numbers, with these."""
+    if not read(plant.system, plant.constants).compiled.queries:
+        return plant.system
+    heading = {None: system(plant).heading, True: "z", False: "x"}[plant.upright.upright]
+    return Grammar(replace(system(plant), heading=heading))
 
 
 @lru_cache(maxsize=2)
@@ -142,7 +150,7 @@ def shown(plant):
 
 def at_length(plant, progress):
     """The figure of a plant whose word may be long."""
-    grown = read(plant.system, plant.constants)
+    grown = read(told(plant), plant.constants)
     word = grown.derive(plant.generations, plant.seed, within(plant.budget), lambda part: progress(DERIVED * part))
     return drawn(word, plant.budget, system(plant), plant.upright.upright)
 

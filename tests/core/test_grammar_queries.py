@@ -11,6 +11,7 @@ from sequential_turtle import walk
 from sweep_addon.core.grammars import LSystem
 from sweep_addon.core.grammars.describing import described
 from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.plant import Edges, Plant
 
 START = {"x": ((1, 0, 0), (0, 1, 0), (0, 0, 1)), "z": ((0, 0, 1), (0, 1, 0), (-1, 0, 0))}
 SQUARE = """
@@ -150,3 +151,16 @@ def test_queries_of_cpfg_have_its_coordinates():
     figure = LSystem.parse(told).derive().figure()
     x, y = figure.start[:, 0], figure.start[:, 1]
     assert y.max() > 15 and (x**2 / 25 + (y - 10) ** 2 / 100 <= 1 + 1e-9).all()
+
+
+@pytest.mark.parametrize("angle", [30, 75])
+def test_a_plant_asks_with_its_own_numbers(angle):
+    """A curve that ends beyond x = 0.6: how long it is hangs on the step, the angle and where it starts."""
+    told = "#angle 60\n#step 3\n#heading x\naxiom: A ?P(x,y)\nA > ?P(x,y) : x < 0.6 -> F+A\nA > ?P(x,y) : x >= 0.6 -> *"
+    mesh = Plant(told, generations=30, angle=angle, step=0.5, output=Edges()).mesh()
+    own = told.replace("#angle 60", f"#angle {angle}").replace("#step 3", "#step 0.5")
+    figure = LSystem.parse(own).derive(30).figure()
+    assert len(mesh.edges) == len(figure) and mesh.vertices.max(axis=0) == pytest.approx(figure.bounds[1], abs=1e-12)
+    turned = Plant(told, generations=30, angle=angle, step=0.5, upright=True, output=Edges()).mesh()
+    upwards = LSystem.parse(own.replace("#heading x", "#heading z")).derive(30).figure()
+    assert len(turned.edges) == len(upwards) == 30 > len(figure)
