@@ -88,18 +88,22 @@ class Expression:
 
     def run(self, values):
         """The value of the tree for whatever NumPy can calculate with: numbers, arrays, or jets."""
-        stack = []
         with np.errstate(all="ignore"):
-            for step in self.program:
-                if isinstance(step, tuple):
-                    function, count = step
-                    if count == 2:  # as most have
-                        second = stack.pop()
-                        stack[-1] = function(stack[-1], second)
-                    else:
-                        stack[-count:] = [function(*stack[-count:])]
+            return self.calculated(values)
+
+    def calculated(self, values):
+        """The same, for who has told NumPy that no number is an error."""
+        stack = []
+        for step in self.program:
+            if isinstance(step, tuple):
+                function, count = step
+                if count == 2:  # as most have
+                    second = stack.pop()
+                    stack[-1] = function(stack[-1], second)
                 else:
-                    stack.append(values[step] if isinstance(step, str) else np.float64(step))
+                    stack[-count:] = [function(*stack[-count:])]
+            else:
+                stack.append(values[step] if isinstance(step, str) else np.float64(step))
         return stack[0]
 
 

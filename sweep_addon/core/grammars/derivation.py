@@ -13,7 +13,7 @@ from .budget import Budget, Meter
 from .directives import LARGEST_SEED, MOST_GENERATIONS
 from .draws import root
 from .forest import Forest
-from .growth import bounds, foretold
+from .growth import fewest, foretold
 from .pool import Pool
 from .reading import DEPTH
 from .statements import executed
@@ -43,8 +43,8 @@ def derived(system, generations, seed, budget, progress, environment=None):
     if sizes:
         meter.room(sizes[-1], None if len(sizes) > generations else len(sizes) - 1)
         meter.room(max(sizes), sizes.index(max(sizes)))
-    elif limits := bounds(tables, generations):
-        meter.room(limits[0], least=True)
+    elif (least := fewest(tables, generations)) is not None:
+        meter.room(least, least=True)
     way = strategy(tables)
     if way == "doubling" and sizes:
         symbols = doubling.word(tables, generations, meter.check)
@@ -91,11 +91,13 @@ def strategy(tables):
 
 def grown(kind, tables, generations, seed, meter):
     """The forest or the pool of all generations: one that grows."""
-    growth = kind(tables, seed, meter)
+    with np.errstate(all="ignore"):
+        growth = kind(tables, seed, meter)
     meter.room(growth.total, 0)
     yield growth
     for generation in range(1, generations + 1):
-        growth.step(tables.of_step(generation), generation, generation * LEVELS)
+        with np.errstate(all="ignore"):
+            growth.step(tables.of_step(generation), generation, generation * LEVELS)
         meter.tick(generation)
         yield growth
 
@@ -119,7 +121,8 @@ def states(tables, generations, seed, meter, environment=None):
         state.variables = executed(tables.system, "start_each", state.variables, generation, moment, seed)
         rules = tables.of_step(generation)
         systems = tables.systems if tables.nested else None
-        state, _ = step(state, tables, rules, moment, generation, meter, systems=systems)
+        with np.errstate(all="ignore"):
+            state, _ = step(state, tables, rules, moment, generation, meter, systems=systems)
         state = decomposed(state, tables, generation, meter)
         for block in ("end_each", "end")[: 2 if generation == generations else 1]:
             state.variables = executed(tables.system, block, state.variables, generation, moment, seed)
@@ -173,7 +176,8 @@ def repeated(state, tables, rules, depth, generation, moment, meter, what):
     state = State(state.symbols, state.columns, state.keys, state.births, fresh, state.variables)
     for level in range(DEPTH + 1 if depth is None else depth):
         moments = generation * LEVELS + moment + level
-        state, changed = step(state, tables, rules, moments, generation, meter, cutting=False)
+        with np.errstate(all="ignore"):
+            state, changed = step(state, tables, rules, moments, generation, meter, cutting=False)
         if not changed:
             break
         ends = depth is not None or level < DEPTH

@@ -25,6 +25,8 @@ class Named(dict):
 def values(expression, find, size):
     """The value of a formula for so many modules: an array, or a number where it is the same for all.
 
+    Derivations tell NumPy once a step that no number is an error; there are thousands of formulas.
+
     Parameters
     ----------
     expression : Expression or Called
@@ -37,13 +39,13 @@ def values(expression, find, size):
     if not isinstance(expression, Expression):
         return expression.run({name: find(name, whole) for name in expression.names})
     if size <= BLOCK:
-        return expression.run(Named(find, whole))
-    first = expression.run(Named(find, slice(0, BLOCK)))
+        return expression.calculated(Named(find, whole))
+    first = expression.calculated(Named(find, slice(0, BLOCK)))
     if not np.ndim(first):
         return first
     found = np.empty(size)
     found[:BLOCK] = first
     for start in range(BLOCK, size, BLOCK):
         part = slice(start, start + BLOCK)
-        found[part] = expression.run(Named(find, part))
+        found[part] = expression.calculated(Named(find, part))
     return found

@@ -56,12 +56,20 @@ def bounds(tables, generations):
     >>> bounds(LSystem.parse("axiom: F\\nF -(0.5)-> FF\\nF -(0.5)-> FFF").compiled, 4)
     (16, 81)
     """
+    found = [bound(tables, generations, which) for which in (at_least, at_most)]
+    return None if None in found else tuple(found)
+
+
+def fewest(tables, generations):
+    """How many modules there are at least after so many steps, or None."""
+    return bound(tables, generations, at_least)
+
+
+def bound(tables, generations, which):
     if tables.decomposition or tables.cut is not None or tables.nested:
         return None
-    found = [grown(tables, generations, which) for which in (at_least, at_most)]
-    if not all(sizes and len(sizes) > generations for sizes in found):
-        return None
-    return found[0][-1], found[1][-1]
+    sizes = grown(tables, generations, which)
+    return sizes[-1] if sizes and len(sizes) > generations else None
 
 
 def grown(tables, generations, which):
