@@ -5,6 +5,7 @@
 from hypothesis import strategies as st
 
 ARITY = {"A": 0, "B": 1, "C": 2, "F": 0, "+": 0, "-": 0, "%": 0, "f": 1}
+NAMES = "abcdghijklmnopqrstuvwxyz"  # of parameters: f is a module, and e a number
 LETTERS = [letter for letter in ARITY if letter != "%"]
 CONDITIONS = ["{0} > 1", "{0} < 2 || {0} > 3", "!({0} == 1)", "ran(1) < 0.5", "1"]
 VALUES = ["1", "2", "0.5", "{0} + 1", "{0}/2", "2*{0} - {0}^2/4", "ran({0})", "nran(1, 0.5)"]
@@ -69,7 +70,7 @@ def grammars(draw, context=True, stochastic=True, cut=True, axial=False):
     start = [word(draw, formulas(["2"], stochastic), cut=cut) for _ in range(3)]
     lines.append(f"axiom: A{start[0]}F{start[1]}[A{start[2]}]B(1)")
     for _ in range(draw(st.integers(1, 6))):
-        fresh = iter("pqrstuvwxyz")
+        fresh = iter(NAMES)
 
         def named(draw, letter, fresh=fresh):
             names = [next(fresh) for _ in range(ARITY[letter])]
@@ -88,7 +89,7 @@ def grammars(draw, context=True, stochastic=True, cut=True, axial=False):
             for _ in range(draw(st.integers(0, 0 if axial else 2))):
                 sides[2] += f"[{letters(draw, LETTERS, 1, named)}]"
             sides[2] += letters(draw, LETTERS, draw(st.integers(0 if sides[2] else 1, 1)), named)
-        known = sorted({letter for side in sides for letter in side if letter in "pqrstuvwxyz"}) or ["3"]
+        known = sorted({letter for side in sides for letter in side if letter in NAMES}) or ["3"]
         head = f"{sides[0]} < " * bool(sides[0]) + sides[1] + f" > {sides[2]}" * bool(sides[2])
         if draw(st.booleans()):
             conditions = CONDITIONS if stochastic else CONDITIONS[:3]
