@@ -47,6 +47,11 @@ def draw_size(layout, mesh, say):
         pass  # why is told already
 
 
+def followed(group):
+    """The parameters that stand for nothing, since the text says them by its constants."""
+    return () if problems(group) else growing.followed(group.system)
+
+
 def draw_constants(layout, group):
     """A slider for each constant, and the values of those that follow from others."""
     if problems(group) or not growing.read(group.system).constants:

@@ -100,7 +100,8 @@ def draw_sweep(layout, context, mesh, say):
     column.use_property_decorate = True
     if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
         say(column, "Hold Alt to change all.", "INFO")
-    declared = [p for p in parameters(shape) if p.group != MEETING]  # they stand beside what is found
+    beside = l_system.followed(group) if grown else ()
+    declared = [p for p in parameters(shape) if p.group != MEETING and p.name not in beside]  # they stand elsewhere
     bodies = declared_layout.draw(column, group, declared)
     frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
     if frames and hasattr(shape, "frames"):

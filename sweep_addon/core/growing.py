@@ -51,6 +51,15 @@ def free(text):
     return {constant.name: constant for constant in read(text).constants if not constant.formula.names}
 
 
+def followed(text):
+    """The numbers that a text says by constants, which alone turn them: their names.
+
+    >>> followed(Grammar("#define a 20\\n#angle a\\n#step 2\\naxiom: F"))
+    {'angle'}
+    """
+    return {name for name, _, _ in read(text).following}
+
+
 def other(text, constants):
     """Those of some values that are not what the text says anyway."""
     plain = {name: constant.value for name, constant in free(text).items()}

@@ -112,8 +112,9 @@ class Plant:
             growing.read(self.system)
         system = growing.read(self.system, self.constants)
         said = {p.name: p for p in parameters(type(self))}
+        followed = growing.followed(self.system)
         for name in SAID:
-            if getattr(self, name) is None:
+            if getattr(self, name) is None or name in followed:
                 with at(name):
                     self.__dict__[name] = coerce(said[name], getattr(system, name))
         self.__dict__["constants"] = growing.other(self.system, self.constants)

@@ -72,6 +72,15 @@ def test_a_slider_makes_the_mesh_anew(scene):
     assert sw.from_object(ob).constants == {"l": 1.5}
 
 
+def test_a_constant_turns_what_the_text_says_by_it(scene):
+    ob = plant("#define a 0  # 0 .. 180 deg\n#angle a\naxiom: F+F")
+    assert height(ob) == pytest.approx(2)
+    turned(ob, "a", 90.0)
+    assert height(ob) == pytest.approx(1)  # a metre along x, and one along y
+    parameters_of(ob).angle = 45.0
+    assert height(ob) == pytest.approx(1)
+
+
 def test_an_edited_text_makes_the_mesh_anew(scene):
     ob = plant()
     edit(ob, "F(l) [", "F(l) F(l) [")

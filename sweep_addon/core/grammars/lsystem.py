@@ -52,6 +52,8 @@ class LSystem:
     generations, seed : int
         The steps of a derivation and its random numbers, where nothing else is said.
     dialect : str
+    following : tuple of (str, float or tuple of float, str)
+        Which of these numbers the text says by constants: their names, the numbers, and the formulas.
 
     Examples
     --------
@@ -87,6 +89,7 @@ class LSystem:
     generations: int = 0
     seed: int = 0
     dialect: str = "abop"
+    following: tuple = ()
 
     @classmethod
     def parse(cls, text, constants=None):
@@ -197,6 +200,8 @@ class LSystem:
 
         >>> str(LSystem.parse("#define n 1\\naxiom: A(n)").with_constants(n=7).derive(0))
         'A(7)'
+        >>> LSystem.parse("#define a 20\\n#angle 2*a\\naxiom: F").with_constants(a=30).angle
+        60.0
         """
         return self.parse(str(self), values)
 

@@ -12,7 +12,7 @@ from .constants import constants
 from .dialects import OTHERS, placed, translated
 from .directives import MOST_GENERATIONS, MOST_NAMES, directive
 from .grouping import check_probabilities
-from .modules import Alphabet
+from .modules import NAME, Alphabet
 from .passages import ENDED, Passage, PassageError, shown
 from .printed import legend, typed
 from .problems import GrammarError, Problem
@@ -35,7 +35,7 @@ class Reader:
     """Reads one text: first what all lines need, names and constants, and then the lines."""
 
     def __init__(self, text, given):
-        self.problems, self.told, self.rules = [], {}, []
+        self.problems, self.told, self.following, self.rules = [], {}, {}, []
         lines = list(enumerate(map(typed, re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff"))), 1))
         self.last = lines[-1]
         self.given = given
@@ -88,7 +88,7 @@ class Reader:
         check_probabilities(self.rules, self.problems, self.lines)
         if self.problems:
             raise GrammarError(self.problems)
-        return self.told | self.sections()
+        return self.told | self.sections() | {"following": tuple(self.following.values())}
 
     def assigned(self):
         """The variables that statements somewhere give values to."""
@@ -124,16 +124,16 @@ class Reader:
     tell_consider = tell_ignore
 
     def tell_generations(self, passage, word):
-        self.told[word] = directives.whole(passage, self.vocabulary, MOST_GENERATIONS)
+        self.tell(passage, word, directives.whole(passage, self.vocabulary, MOST_GENERATIONS))
 
     def tell_seed(self, passage, word):
-        self.told[word] = directives.whole(passage, self.vocabulary, directives.LARGEST_SEED)
+        self.tell(passage, word, directives.whole(passage, self.vocabulary, directives.LARGEST_SEED))
 
     def tell_tropism(self, passage, word):
         told = directives.numbers(passage, self.vocabulary, 4, "a direction and the susceptibility")
         if not any(told[:3]):
             passage.refuse("a direction that is not 0", 0, shown(passage.text))
-        self.told[word] = told
+        self.tell(passage, word, told)
 
     def tell_heading(self, passage, word):
         self.told[word] = directives.heading(passage)
@@ -142,7 +142,14 @@ class Reader:
         self.told["schedule"] = directives.schedule(passage)
 
     def number(self, passage, word):
-        self.told[word] = value(passage, self.vocabulary)
+        self.tell(passage, word, value(passage, self.vocabulary))
+
+    def tell(self, passage, word, told):
+        """What a directive says, and as which formula if it needs constants."""
+        self.told[word] = told
+        self.following.pop(word, None)
+        if not self.constants.keys().isdisjoint(NAME.findall(passage.text)):
+            self.following[word] = (word, told, passage.text)
 
     def line(self, passage):
         """A line that is no directive: a section, the axiom or a production."""

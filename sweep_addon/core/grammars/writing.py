@@ -52,12 +52,14 @@ def settings(system):
     if system.heading:
         yield f"#heading {system.heading}"
     defaults = type(system).__dataclass_fields__
-    for word in ("angle", "step", "width", "generations", "seed"):
+    formulas = {word: (told, formula) for word, told, formula in system.following}
+    for word in ("angle", "step", "width", "generations", "seed", "tropism"):
         value = getattr(system, word)
-        if value != defaults[word].default:
-            yield f"#{word} {value!r}"
-    if system.tropism:
-        yield f"#tropism {' '.join(map(repr, system.tropism))}"
+        told, formula = formulas.get(word, (defaults[word].default, ""))
+        if formula and value == told:
+            yield f"#{word} {formula}"
+        elif value != defaults[word].default:
+            yield f"#{word} {' '.join(map(repr, value)) if word == 'tropism' else repr(value)}"
     if system.schedule:
         groups, again = system.schedule
         yield f"#groups {' '.join(map(str, groups))}{' ...' if again else ''}"
