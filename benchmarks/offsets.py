@@ -10,8 +10,8 @@ import numpy as np
 from measuring import short, table, tell, verdict
 
 from bl_ext.user_default import sweep_addon as sw
-from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import body_of, hull_body, mesh_of
-from bl_ext.user_default.sweep_addon.sweep_addon.core.facets import facets
+from bl_ext.user_default.sweep_addon.sweep_addon.core.meshes.booleans import body_of, hull_body, mesh_of
+from bl_ext.user_default.sweep_addon.sweep_addon.core.meshes.facets import facets
 from bl_ext.user_default.sweep_addon.sweep_addon.core.offsets.around import Around
 from bl_ext.user_default.sweep_addon.sweep_addon.core.offsets.level_set import level_set
 from bl_ext.user_default.sweep_addon.sweep_addon.core.offsets.offset import Engine, offset

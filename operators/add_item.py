@@ -6,9 +6,9 @@ from bpy.props import StringProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.declared.parameters import ShapeError, parameters
+from ..sweep_addon.core.declared.wording import shown
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError, parameters
-from ..sweep_addon.core.wording import shown
 from .on_sweep import OnSweep
 
 objects = later("bridge.objects")

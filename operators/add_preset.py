@@ -7,9 +7,9 @@ from bpy.types import Operator
 from bpy_extras.object_utils import add_object_align_init, object_data_add
 
 from ..sweep_addon import presets
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
-from ..sweep_addon.core.shapes import SHAPES
+from ..sweep_addon.core.shapes.kinds import SHAPES
 from ..sweep_addon.core.trajectories import Line
 from .add_shape import AddObject
 

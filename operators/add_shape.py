@@ -8,10 +8,10 @@ from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.declared.parameters import ShapeError, parameters, spelled
+from ..sweep_addon.core.declared.wording import summary, titled
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
-from ..sweep_addon.core.shapes import SHAPES
-from ..sweep_addon.core.wording import summary, titled
+from ..sweep_addon.core.shapes.kinds import SHAPES
 from ..sweep_addon.properties.sweep import update
 
 layout, objects = later("bridge.layout"), later("bridge.objects")

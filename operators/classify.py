@@ -6,8 +6,8 @@ import numpy as np
 from bpy.props import FloatProperty
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 from .combine import others
 
 membership, objects = later("bridge.membership"), later("bridge.objects")

@@ -4,8 +4,8 @@
 
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 from .on_tree import can_change
 
 objects, operands, trees = later("bridge.objects"), later("bridge.operands"), later("bridge.trees")

@@ -5,8 +5,8 @@
 import bpy
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 
 bevel, curve_to_mesh = later("bridge.bevel"), later("bridge.curve_to_mesh")
 objects = later("bridge.objects")

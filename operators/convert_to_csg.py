@@ -4,9 +4,9 @@
 
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
-from ..sweep_addon.core.translational_sweep import TranslationalSweep
+from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from .on_tree import can_change
 
 conversion, objects = later("bridge.conversion"), later("bridge.objects")

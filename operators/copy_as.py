@@ -5,11 +5,11 @@
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 
 objects = later("bridge.objects")
-dump, python_source = later("core.forms", "dump", "python_source")
+dump, python_source = later("core.declared.forms", "dump", "python_source")
 
 FORMS = [
     ("PYTHON", "Python", "A line for Blender's Python console, input curves written into it"),

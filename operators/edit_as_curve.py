@@ -5,8 +5,8 @@
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError, parameters, require, spelled
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError, parameters, require, spelled
 from .on_sweep import OnSweep
 
 beside, curves = later("bridge.beside"), later("bridge.curves")

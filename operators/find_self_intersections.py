@@ -5,8 +5,8 @@
 import bpy
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 
 crossings, objects = later("bridge.crossings"), later("bridge.objects")
 finding = later("properties.finding")

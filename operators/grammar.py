@@ -6,8 +6,8 @@ import bpy
 from bpy.props import IntProperty
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 
 curves, objects, texts = later("bridge.curves"), later("bridge.objects"), later("bridge.texts")
 

@@ -4,9 +4,9 @@
 
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.offset_surface import OffsetSurface
-from ..sweep_addon.core.parameters import ShapeError
+from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
 
 objects = later("bridge.objects")
 

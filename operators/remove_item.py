@@ -6,8 +6,8 @@ from bpy.props import IntProperty, StringProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.declared.parameters import parameters
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import parameters
 from .on_sweep import OnSweep
 
 objects = later("bridge.objects")

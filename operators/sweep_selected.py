@@ -6,12 +6,12 @@ from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 
 from ..sweep_addon.bridge import rna
-from ..sweep_addon.core.general_sweep import GeneralSweep
-from ..sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from ..sweep_addon.core.declared.parameters import ShapeError, parameters, spelled
+from ..sweep_addon.core.declared.wording import summary
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError, parameters, spelled
-from ..sweep_addon.core.shapes import SWEPT
-from ..sweep_addon.core.wording import summary
+from ..sweep_addon.core.shapes.general_sweep import GeneralSweep
+from ..sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from ..sweep_addon.core.shapes.kinds import SWEPT
 
 objects = later("bridge.objects")
 

@@ -4,8 +4,8 @@
 
 from bpy.types import Operator
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 from .on_tree import OnTree
 
 conversion, copies = later("bridge.conversion"), later("bridge.copies")

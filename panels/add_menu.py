@@ -7,11 +7,11 @@ from functools import cache
 from bpy.types import Menu
 
 from ..operators.add_shape import idname
-from ..sweep_addon.core.offset_surface import OffsetSurface
-from ..sweep_addon.core.parameters import spelled
-from ..sweep_addon.core.plant import Plant
-from ..sweep_addon.core.shapes import SWEEPS, SWEPT
-from ..sweep_addon.core.wording import titled
+from ..sweep_addon.core.declared.parameters import spelled
+from ..sweep_addon.core.declared.wording import titled
+from ..sweep_addon.core.shapes.kinds import SWEEPS, SWEPT
+from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
+from ..sweep_addon.core.shapes.plant import Plant
 from ..sweep_addon.presets import GROWN, PRESETS, title
 from . import previews
 

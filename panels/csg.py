@@ -5,8 +5,8 @@
 from bpy.types import Panel
 
 from ..operators.combine import OPERATORS
+from ..sweep_addon.core.declared.parameters import parameters
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import parameters
 from .sentences import sentences
 
 declared_layout, objects = later("bridge.layout"), later("bridge.objects")

@@ -9,8 +9,8 @@ made again only where the digest of a sweep is another.
 import bpy
 import numpy as np
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 
 objects = later("bridge.objects")
 

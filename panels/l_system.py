@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the sidebar shows of an L-system beside its parameters: its text, what is wrong in it, and its constants."""
 
+from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.parameters import ShapeError
 
-growing, objects, texts = later("core.growing"), later("bridge.objects"), later("bridge.texts")
+growing, objects, texts = later("core.shapes.growing"), later("bridge.objects"), later("bridge.texts")
 
 MOST_PROBLEMS = 6  # that are shown; one is mended at a time
 MOST_CONSTANTS = 50  # that are shown

@@ -12,16 +12,19 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 
 from importlib.util import find_spec
 
-from .core import contours, corners, directions, ends, frames, laws, limits, sampling, solids, trajectories
-from .core.canal_surface import CanalSurface
-from .core.general_sweep import GeneralSweep
-from .core.generalized_cylinder import GeneralizedCylinder
-from .core.offset_surface import OffsetSurface
-from .core.parameters import ShapeError
-from .core.pd_curve_sweep import PDCurveSweep
-from .core.plant import Plant
-from .core.rotational_sweep import RotationalSweep
-from .core.translational_sweep import TranslationalSweep
+from .core import contours, solids, trajectories
+from .core.declared.parameters import ShapeError
+from .core.rings import corners, ends, limits
+from .core.shapes.canal_surface import CanalSurface
+from .core.shapes.general_sweep import GeneralSweep
+from .core.shapes.generalized_cylinder import GeneralizedCylinder
+from .core.shapes.offset_surface import OffsetSurface
+from .core.shapes.pd_curve_sweep import PDCurveSweep
+from .core.shapes.plant import Plant
+from .core.shapes.rotational_sweep import RotationalSweep
+from .core.shapes.translational_sweep import TranslationalSweep
+from .core.stations import directions, frames, sampling
+from .core.variation import laws
 
 __all__ = [
     "CanalSurface",
@@ -68,8 +71,8 @@ if find_spec("bpy"):  # else `import *` would ask for what plain Python does not
 LATER = {
     "GrammarError": ".core.grammars",
     "LSystem": ".core.grammars",
-    "Mesh": ".core.mesh",
-    "PDCurve": ".core.pd_curve",
+    "Mesh": ".core.meshes.mesh",
+    "PDCurve": ".core.stations.pd_curve",
     "Placed": ".core.csg",
     "RigidMotion": ".core.csg",
     "Rotation": ".core.csg",
@@ -79,11 +82,11 @@ LATER = {
     "Tree": ".core.csg",
     "classify": ".core.membership",
     "inverse_sweep": ".core.membership",
-    "dump": ".core.forms",
+    "dump": ".core.declared.forms",
     "load": ".batch.job",
     "to_object": ".bridge.objects",
     "from_object": ".bridge.objects",
-    "reach": ".core.reach",
+    "reach": ".core.envelopes.reach",
     "sweep_to_csg": ".core.conversion",
 }
 

@@ -73,7 +73,7 @@ def test_nothing_imports_upwards(folder):
         ("from ...operators.add import Add", "operators/add/Add"),
         ("from ... import sweep_addon", "sweep_addon"),
         ("import sweep_addon.properties", "sweep_addon/properties"),
-        ('joined = later("core.joining", "joined")', "sweep_addon/core/joining"),
+        ('joined = later("core.meshes.joining", "joined")', "sweep_addon/core/meshes/joining"),
         ("from .frames import Frenet", "sweep_addon/core/frames/Frenet"),
     ],
 )

@@ -9,10 +9,10 @@ from textwrap import dedent
 import pytest
 
 from sweep_addon.batch import job
-from sweep_addon.core.description import markdown
-from sweep_addon.core.ends import Open
-from sweep_addon.core.parameters import spelled
-from sweep_addon.core.shapes import SHAPES
+from sweep_addon.core.declared.description import markdown
+from sweep_addon.core.declared.parameters import spelled
+from sweep_addon.core.rings.ends import Open
+from sweep_addon.core.shapes.kinds import SHAPES
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 PAGES = [*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md")]

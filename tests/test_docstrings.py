@@ -14,8 +14,8 @@ from typing import get_args
 import pytest
 
 import sweep_addon as sw
-from sweep_addon.core.description import summary
-from sweep_addon.core.parameters import parameters
+from sweep_addon.core.declared.description import summary
+from sweep_addon.core.declared.parameters import parameters
 
 IN_BLENDER = set() if importlib.util.find_spec("bpy") else {"to_object", "from_object"}
 MEASURED = ("volume", "area", "boundary_edges", "non_manifold_edges", "euler_characteristic")

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from sweep_addon import presets
-from sweep_addon.core import growing
 from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.shapes import growing
 from sweep_addon.presets import grammars
 
 PRESETS = {preset.path.stem: preset for preset in presets.PRESETS if preset.group == "l_system"}

@@ -13,8 +13,8 @@ import pytest
 
 from sweep_addon import presets
 from sweep_addon.batch import job
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import place
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.stations.sampling import place
 
 ALL = [preset.name for preset in presets.PRESETS]
 OPEN = ("mixed_dimension", "plane_region", "l_system")

@@ -14,7 +14,7 @@ import numpy as np
 from bl_ext.user_default import sweep_addon as sw
 from bl_ext.user_default.sweep_addon.sweep_addon.batch import scene, studio
 from bl_ext.user_default.sweep_addon.sweep_addon.batch.job import Render
-from bl_ext.user_default.sweep_addon.sweep_addon.core.booleans import body_of, combined, mesh_of
+from bl_ext.user_default.sweep_addon.sweep_addon.core.meshes.booleans import body_of, combined, mesh_of
 from bl_ext.user_default.sweep_addon.sweep_addon.core.solids import Block, DrilledBlock
 
 RENDER = Render(width=1000, height=360, azimuth=-1.2, elevation=0.75, margin=0.03, samples=24)

@@ -9,7 +9,7 @@ failed, or with 2 where what it was told is wrong.
 import argparse
 import sys
 
-from ..core.parameters import ShapeError
+from ..core.declared.parameters import ShapeError
 from ..core.version import version
 from . import grammar, verbs
 from .export import MODELS, PICTURES, silent

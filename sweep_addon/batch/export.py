@@ -10,7 +10,7 @@ import sys
 from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 
-from ..core.parameters import require
+from ..core.declared.parameters import require
 
 
 def save_blend(path):

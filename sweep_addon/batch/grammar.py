@@ -5,7 +5,7 @@
 import sys
 from pathlib import Path
 
-from ..core.parameters import ShapeError
+from ..core.declared.parameters import ShapeError
 from .job import decoded
 
 LONGEST = 4_000_000  # bytes of a file
@@ -59,6 +59,6 @@ def derive(told):
 
 def describe(path):
     """Lines about the grammar in a file."""
-    from ..core.grammars.describing import described
+    from ..core.grammars.deriving.describing import described
 
     return described(read(path))

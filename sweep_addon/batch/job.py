@@ -8,10 +8,10 @@ from enum import Enum
 from os import PathLike
 from pathlib import Path
 
-from ..core import description, forms
 from ..core.csg import NODES
-from ..core.frozen import frozen
-from ..core.parameters import (
+from ..core.declared import description, forms
+from ..core.declared.frozen import frozen
+from ..core.declared.parameters import (
     ShapeError,
     angle,
     at,
@@ -23,7 +23,7 @@ from ..core.parameters import (
     require,
     spelled,
 )
-from ..core.shapes import SHAPE_NAMES
+from ..core.shapes.kinds import SHAPE_NAMES
 from .lines import line_of
 from .references import resolve, with_references
 

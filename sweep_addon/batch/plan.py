@@ -6,8 +6,8 @@ import hashlib
 from os.path import abspath
 from pathlib import Path
 
-from ..core.frozen import frozen
-from ..core.parameters import ShapeError, require
+from ..core.declared.frozen import frozen
+from ..core.declared.parameters import ShapeError, require
 
 
 @frozen

@@ -7,12 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..core import contours, solids, trajectories
-from ..core.corners import Corner, Mitre
 from ..core.csg.known import known
-from ..core.description import table_schema
-from ..core.grammar_text import Grammar
-from ..core.operand import Operand
-from ..core.parameters import (
+from ..core.declared.description import table_schema
+from ..core.declared.grammar_text import Grammar
+from ..core.declared.parameters import (
     ShapeError,
     at,
     declared,
@@ -24,6 +22,8 @@ from ..core.parameters import (
     shown,
     spelled,
 )
+from ..core.rings.corners import Corner, Mitre
+from ..core.shapes.operand import Operand
 
 LARGEST_FILE = 50_000_000  # bytes of a drawing or a font
 

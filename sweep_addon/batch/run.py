@@ -11,7 +11,7 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
-from ..core.frozen import frozen
+from ..core.declared.frozen import frozen
 from .plan import Task
 
 

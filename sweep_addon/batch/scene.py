@@ -15,7 +15,7 @@ import numpy as np
 from .. import properties
 from ..bridge import objects, trees
 from ..core.csg.meshes import EMPTY
-from ..core.parameters import require
+from ..core.declared.parameters import require
 from . import studio
 from .camera import axes, fit, turned
 from .export import PICTURES, silent, whole

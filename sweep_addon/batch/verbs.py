@@ -12,10 +12,10 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
-from ..core import description, forms
-from ..core.parameters import ShapeError, parameters, require, spelled
+from ..core.declared import description, forms
+from ..core.declared.parameters import ShapeError, parameters, require, spelled
 from ..core.self_intersection.places import Places
-from ..core.shapes import SWEPT
+from ..core.shapes.kinds import SWEPT
 from . import grammar
 from . import job as jobs
 from .export import MODELS, PICTURES, check_output, save_model, silent

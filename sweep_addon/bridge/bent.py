@@ -5,7 +5,7 @@
 import bpy
 import numpy as np
 
-from ..core.parameters import require
+from ..core.declared.parameters import require
 
 
 def mesh(ob, shape, axis, start, fit, depsgraph):

@@ -10,11 +10,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..core.bending import Bending
-from ..core.directions import Arrows, Cubic, Guide
-from ..core.limits import Plane
-from ..core.parameters import ShapeError
-from ..core.pd_curve import joined
+from ..core.declared.parameters import ShapeError
+from ..core.rings.limits import Plane
+from ..core.stations.bending import Bending
+from ..core.stations.directions import Arrows, Cubic, Guide
+from ..core.stations.pd_curve import joined
 from ..core.trajectories import Bezier, Polyline
 from ..core.trajectories.arc_length import arc_length
 from . import curves

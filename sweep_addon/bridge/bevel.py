@@ -9,8 +9,8 @@ cyclic Bezier spline at its last knot.
 import numpy as np
 
 from ..core.contours import Circle, Rectangle
-from ..core.frames import FixedUp, RotationMinimizing
-from ..core.parameters import at, require
+from ..core.declared.parameters import at, require
+from ..core.stations.frames import FixedUp, RotationMinimizing
 from ..core.trajectories import Bezier
 from ..core.trajectories.arc_length import arc_length
 from . import curves

@@ -5,7 +5,7 @@
 Actions, materials and what drivers read stay shared, as in Blender's own copies by script.
 """
 
-from ..core.parameters import parameters
+from ..core.declared.parameters import parameters
 from . import objects, operands, rna, trees
 
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..core.shapes import SWEPT
+from ..core.shapes.kinds import SWEPT
 from . import objects
 
 

@@ -13,8 +13,8 @@ import numpy as np
 from mathutils import Matrix
 
 from ..core.contours import Circle, Rectangle
-from ..core.frames import FixedUp
-from ..core.parameters import ShapeError, at, require
+from ..core.declared.parameters import ShapeError, at, require
+from ..core.stations.frames import FixedUp
 from . import bevel, curves
 from .rna import decimal
 from .tube import Tube, enabled, first_twist, frame, require_cyclic, require_on_splines, shape

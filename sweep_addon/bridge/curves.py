@@ -8,10 +8,10 @@ A trajectory carries the radius and the tilt of the curve's points; the contour 
 import bpy
 import numpy as np
 
-from ..core.cells import bend
 from ..core.contours import Fit, Mixed, Outline, all_fitted
-from ..core.parameters import require
-from ..core.sampling import Tolerance, place
+from ..core.declared.parameters import require
+from ..core.stations.cells import bend
+from ..core.stations.sampling import Tolerance, place
 from ..core.trajectories import Bezier, Nurbs, Polyline
 from ..core.trajectories.arc_length import arc_length
 

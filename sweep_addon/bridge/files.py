@@ -4,7 +4,7 @@
 
 import bpy
 
-from ..core.parameters import require
+from ..core.declared.parameters import require
 from . import curves, models
 
 

@@ -10,8 +10,8 @@ from mathutils import Matrix
 
 from ..core.csg import Placed, SweptSolid, Tree
 from ..core.csg.meshes import closed_mesh
-from ..core.parameters import ShapeError, at, spelled
-from ..core.shapes import SHAPES
+from ..core.declared.parameters import ShapeError, at, spelled
+from ..core.shapes.kinds import SHAPES
 from ..core.solids import Triangles
 from . import meshes, objects, operands, sharp_edges, solvers, trees
 

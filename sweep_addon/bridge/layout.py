@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Declared parameters as a layout: the same lines in the sidebar and in the panel of the last operation."""
 
-from ..core.parameters import inside, parameters, spelled
-from ..core.wording import titled
+from ..core.declared.parameters import inside, parameters, spelled
+from ..core.declared.wording import titled
 from .rna import ASIDE, chosen_kinds, label, listed
 
 TYPED = 400  # characters of a list that can still be read and typed as text

@@ -4,8 +4,8 @@
 
 import numpy as np
 
+from ..core.declared.parameters import require
 from ..core.membership import classify
-from ..core.parameters import require
 from . import objects, trees
 
 NAME, COLOURS = "membership", "membership_colour"

@@ -5,7 +5,7 @@
 import bpy
 import numpy as np
 
-from ..core.parameters import ShapeError, require
+from ..core.declared.parameters import ShapeError, require
 from ..core.solids import Triangles
 
 

@@ -6,12 +6,12 @@ import bpy
 from mathutils import Matrix
 
 from ..core.contours import Mixed
+from ..core.declared.parameters import ShapeError, at, parameters, require, spelled
+from ..core.declared.wording import titled
 from ..core.later import later
-from ..core.operand import Operand
-from ..core.parameters import ShapeError, at, parameters, require, spelled
-from ..core.sampling import rendered
-from ..core.shapes import SHAPES, SWEPT
-from ..core.wording import titled
+from ..core.shapes.kinds import SHAPES, SWEPT
+from ..core.shapes.operand import Operand
+from ..core.stations.sampling import rendered
 from . import meshes, rna
 
 beside, curves, models = later("bridge.beside"), later("bridge.curves"), later("bridge.models")

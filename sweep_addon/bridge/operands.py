@@ -4,7 +4,7 @@
 
 import bpy
 
-from ..core.parameters import ShapeError
+from ..core.declared.parameters import ShapeError
 from . import sharp_edges, solvers, trees
 
 BLENDERS = {name: identifier for identifier, name in trees.OPERATIONS.items()}

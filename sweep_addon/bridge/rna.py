@@ -17,11 +17,11 @@ from typing import get_origin
 import bpy
 import numpy as np
 
-from ..core.grammar_text import Grammar, Values
+from ..core.declared.grammar_text import Grammar, Values
+from ..core.declared.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
+from ..core.declared.plain import plain
+from ..core.declared.wording import summary, titled
 from ..core.later import later
-from ..core.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
-from ..core.plain import plain
-from ..core.wording import summary, titled
 
 texts = later("bridge.texts")
 

@@ -8,8 +8,8 @@ import bmesh
 import bpy
 import numpy as np
 
+from ..core.declared.parameters import ShapeError
 from ..core.later import later
-from ..core.parameters import ShapeError
 from ..core.self_intersection import PREFIX
 from . import objects, trees
 

@@ -10,10 +10,10 @@ from itertools import islice
 import bpy
 import numpy as np
 
-from ..core import growing
-from ..core.grammar_text import Grammar, Values
-from ..core.parameters import ShapeError
-from ..core.plant import SAID
+from ..core.declared.grammar_text import Grammar, Values
+from ..core.declared.parameters import ShapeError
+from ..core.shapes import growing
+from ..core.shapes.plant import SAID
 from . import rna
 
 LARGEST = 2**31 - 1  # whole number of a property

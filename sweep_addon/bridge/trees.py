@@ -10,10 +10,10 @@ import numpy as np
 
 from ..core.csg import Placed, RigidMotion, Step, SweptSolid, Tree
 from ..core.csg.tree import DEEPEST
-from ..core.general_sweep import GeneralSweep
-from ..core.laws import Constant
-from ..core.parameters import ShapeError, at, require
+from ..core.declared.parameters import ShapeError, at, require
+from ..core.shapes.general_sweep import GeneralSweep
 from ..core.solids import Triangles
+from ..core.variation.laws import Constant
 from . import models, objects
 from .sharp_edges import is_drawer
 

@@ -7,12 +7,12 @@ from collections.abc import Callable
 import numpy as np
 
 from ..core.contours import Circle
-from ..core.ends import Flat, Open
-from ..core.frames import FixedUp, RotationMinimizing, axes, first_normal
-from ..core.frozen import frozen
-from ..core.generalized_cylinder import GeneralizedCylinder
-from ..core.parameters import require
-from ..core.sampling import Tolerance, place
+from ..core.declared.frozen import frozen
+from ..core.declared.parameters import require
+from ..core.rings.ends import Flat, Open
+from ..core.shapes.generalized_cylinder import GeneralizedCylinder
+from ..core.stations.frames import FixedUp, RotationMinimizing, axes, first_normal
+from ..core.stations.sampling import Tolerance, place
 from ..core.trajectories.arc_length import arc_length
 
 CHORD, FINE = 0.001, 0.02  # metres, and of the contour's reach: chords are no farther from the curve than the smaller

@@ -15,7 +15,7 @@ def later(module, *names):
     Parameters
     ----------
     module : str
-        Its name within `sweep_addon`: ``core.mesh``.
+        Its name within `sweep_addon`: ``core.meshes.mesh``.
     *names : str
         What is meant of it; without any, the module.
 

@@ -10,13 +10,13 @@ import re
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-from ..core.frozen import frozen
+from ..core.declared.frozen import frozen
+from ..core.declared.parameters import at, pick
 from ..core.later import later
-from ..core.parameters import at, pick
-from ..core.shapes import SHAPES
+from ..core.shapes.kinds import SHAPES
 
 csg = later("core.csg")
-shape_of, tables = later("core.forms", "shape_of", "tables")
+shape_of, tables = later("core.declared.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
 GROWN = "l_system"  # the folder of presets that are grammars, each a thing of its own

@@ -8,7 +8,7 @@
 import re
 import sys
 
-from ..core import growing
+from ..core.shapes import growing
 from . import GROWN, PRESETS, shape
 
 SOURCE = re.compile(r"# Source: (.*)\.\n")

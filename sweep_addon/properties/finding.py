@@ -10,8 +10,8 @@ Blender hangs at its end while there is a timer: there is none.
 
 import bpy
 
+from ..core.declared.parameters import ShapeError
 from ..core.later import later
-from ..core.parameters import ShapeError
 from . import solving
 from .live import AWAITED, set_if_other
 

@@ -6,13 +6,13 @@ import bpy
 import numpy as np
 
 from ..bridge import meshes, objects
+from ..core.declared.parameters import ShapeError
+from ..core.declared.plain import VERSION
 from ..core.later import later
-from ..core.parameters import ShapeError
-from ..core.plain import VERSION
 
 texts, reading = later("bridge.texts"), later("properties.reading")
-joined = later("core.joining", "joined")
-digest = later("core.digest", "digest")
+joined = later("core.meshes.joining", "joined")
+digest = later("core.declared.digest", "digest")
 
 AWAITED = "AWAITED"
 GROWN = "PLANT"  # the kind whose parameters are in a text

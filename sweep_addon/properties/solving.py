@@ -11,11 +11,11 @@ import bpy
 import numpy as np
 
 from ..bridge import objects
+from ..core.declared.parameters import ShapeError
 from ..core.later import later
-from ..core.parameters import ShapeError
 from .live import AWAITED, put, set_if_other, wants_solid
 
-joined, digest = later("core.joining", "joined"), later("core.digest", "digest")
+joined, digest = later("core.meshes.joining", "joined"), later("core.declared.digest", "digest")
 
 STOPPED = "The {} was not made: Esc stopped it."
 FAILED = "The {} was not made: the terminal shows why."

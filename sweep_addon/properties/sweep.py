@@ -8,11 +8,11 @@ Undo brings parameters and mesh back together, Shift-D copies both and Alt-D sha
 import bpy
 
 from ..bridge import rna
+from ..core.declared.parameters import parameters, spelled
+from ..core.declared.plain import VERSION
+from ..core.declared.wording import summary
 from ..core.later import later
-from ..core.parameters import parameters, spelled
-from ..core.plain import VERSION
-from ..core.shapes import SHAPES
-from ..core.wording import summary
+from ..core.shapes.kinds import SHAPES
 
 rebuild = later("properties.live", "rebuild")
 

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 import sweep_addon as sw
 from sweep_addon.batch import job as jobs
 from sweep_addon.batch.references import resolve
-from sweep_addon.core.parameters import ShapeError, parameters
-from sweep_addon.core.shapes import GeneralizedCylinder
+from sweep_addon.core.declared.parameters import ShapeError, parameters
+from sweep_addon.core.shapes.kinds import GeneralizedCylinder
 
 START = 'version = 1\nkind = "generalized-cylinder"\n'
 SQUARE = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H10V10H0Z"/></svg>'

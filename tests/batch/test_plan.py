@@ -8,8 +8,8 @@ import pytest
 
 from sweep_addon.batch.job import Job, Render
 from sweep_addon.batch.plan import Task, plan
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.shapes import GeneralizedCylinder
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.kinds import GeneralizedCylinder
 
 
 def job(path, digest="a", **render):

@@ -11,7 +11,7 @@ import pytest
 
 from sweep_addon.bridge import models, objects
 from sweep_addon.core.contours import Circle
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.trajectories import Line
 
 

@@ -12,7 +12,7 @@ from scenes import cube, parameters_of, places, select, shown, straight, sweep
 import sweep_addon as sw
 from sweep_addon.bridge import objects, operands, solvers, trees
 from sweep_addon.core.csg import Operation
-from sweep_addon.core.parameters import spelled
+from sweep_addon.core.declared.parameters import spelled
 
 OPERATORS = {
     "union": bpy.ops.object.sweep_union,

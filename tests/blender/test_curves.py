@@ -11,9 +11,9 @@ from scenes import add, curve, places, text
 
 from sweep_addon import contours, trajectories
 from sweep_addon.bridge import curves
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.core.trajectories.arc_length import arc_length
-from sweep_addon.core.translational_sweep import TranslationalSweep
 
 SINGLE = 2e-6  # a few units of the last place of single precision, in curves of the size of 1 to 4
 

@@ -17,8 +17,8 @@ from scenes import tried
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge import rna
-from sweep_addon.core.parameters import Array, ShapeError, inside, parameters, spelled
-from sweep_addon.core.shapes import SHAPES
+from sweep_addon.core.declared.parameters import Array, ShapeError, inside, parameters, spelled
+from sweep_addon.core.shapes.kinds import SHAPES
 
 
 def properties(shape):

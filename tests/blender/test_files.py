@@ -12,7 +12,7 @@ from write_format import DATA, SHAPE
 
 import sweep_addon as sw
 from sweep_addon.bridge import meshes, objects
-from sweep_addon.core.forms import VERSION
+from sweep_addon.core.declared.forms import VERSION
 
 
 def update():

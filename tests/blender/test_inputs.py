@@ -12,7 +12,7 @@ from scenes import add, curve, extent, parameters_of, places, select, square, st
 
 import sweep_addon as sw
 from sweep_addon.bridge import objects
-from sweep_addon.core.translational_sweep import TranslationalSweep
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 
 
 def update():

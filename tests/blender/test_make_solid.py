@@ -14,7 +14,7 @@ from scenes import add, parameters_of, select, sweep
 from test_panels import drawn, said
 
 from sweep_addon.core.contours import Circle, Rectangle
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Polyline
 from sweep_addon.properties import finding, live, solving
 

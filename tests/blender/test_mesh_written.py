@@ -15,7 +15,7 @@ from scenes import places
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge import meshes
-from sweep_addon.core.joining import joined
+from sweep_addon.core.meshes.joining import joined
 
 WASHER = sw.contours.Outline(loops=[[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.5, -0.5), (0.5, -0.5), (0, 0.5)]])
 HALF = sw.contours.Outline([[(0, -1), (0, 1)]], bulges=[(1, 0)])

@@ -11,7 +11,7 @@ from scenes import add, curve, extent, places, select
 
 import sweep_addon as sw
 from sweep_addon.bridge import objects
-from sweep_addon.core.general_sweep import GeneralSweep
+from sweep_addon.core.shapes.general_sweep import GeneralSweep
 from sweep_addon.core.solids import Block, Triangles
 from sweep_addon.properties import live, solving
 

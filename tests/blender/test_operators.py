@@ -16,8 +16,8 @@ from scenes import curve, extent, parameters_of, places, select, square, straigh
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge import objects
-from sweep_addon.core.parameters import spelled
-from sweep_addon.core.shapes import SHAPES
+from sweep_addon.core.declared.parameters import spelled
+from sweep_addon.core.shapes.kinds import SHAPES
 
 
 def known():

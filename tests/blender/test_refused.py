@@ -9,8 +9,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import sweep
 
 import sweep_addon as sw
-from sweep_addon.core import forms
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared import forms
+from sweep_addon.core.declared.parameters import ShapeError
 
 # Each refused in one sentence: what a job says, what the properties say, and the sentence.
 REFUSED = [

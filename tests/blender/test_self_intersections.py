@@ -11,7 +11,7 @@ from scenes import curve, parameters_of, places, select, sweep
 from test_panels import drawn, said
 
 from sweep_addon.core.contours import Circle
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Polyline
 from sweep_addon.properties import finding
 

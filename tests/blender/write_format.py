@@ -16,7 +16,7 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import parameters_of, square, straight, sweep
 
 import sweep_addon as sw
-from sweep_addon.core.forms import VERSION
+from sweep_addon.core.declared.forms import VERSION
 
 DATA = Path(__file__).parents[1] / "data"
 

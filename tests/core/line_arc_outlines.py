@@ -6,7 +6,7 @@ import numpy as np
 from contour_inputs import ngon, star
 
 from sweep_addon.core.contours import Outline
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 
 def random_outline(rng):

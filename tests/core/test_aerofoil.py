@@ -10,8 +10,8 @@ import pytest
 from solids import assert_solid
 
 from sweep_addon.core.contours import Aerofoil, Section
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.trajectories import Line
 
 NACA = Path(__file__).parents[1] / "data" / "naca"

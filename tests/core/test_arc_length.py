@@ -7,7 +7,7 @@ from math import hypot, pi, tau
 import numpy as np
 import pytest
 
-from sweep_addon.core.chebyshev import angles, counted, fitting, summed
+from sweep_addon.core.stations.chebyshev import angles, counted, fitting, summed
 from sweep_addon.core.trajectories import Arc, Formula, Helix, Line, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import ArcLength
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.distance import PseudoNormals, Tree, nearest
-from sweep_addon.core.facets import facets
+from sweep_addon.core.meshes.facets import facets
 from sweep_addon.core.offsets.any_field import AnyField
 from sweep_addon.core.offsets.around import Around
 from sweep_addon.core.offsets.band import narrow_band

@@ -7,15 +7,15 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from sweep_addon.core import corners
 from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
-from sweep_addon.core.digest import digest
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import Array, ShapeError
-from sweep_addon.core.pd_curve_sweep import PDCurveSweep
-from sweep_addon.core.rotational_sweep import RotationalSweep
+from sweep_addon.core.declared.digest import digest
+from sweep_addon.core.declared.parameters import Array, ShapeError
+from sweep_addon.core.rings import corners
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
-from sweep_addon.core.translational_sweep import TranslationalSweep
 
 TRAJECTORIES = "line, arc, helix, torus-knot, polyline, bezier, nurbs, sampled, formula"
 CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"

@@ -7,10 +7,10 @@ import sys
 import numpy as np
 import pytest
 
-from sweep_addon.core.booleans import body_of, combined, hull_body, mesh_of, union, united
 from sweep_addon.core.contours import Circle, Rectangle, Star
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.translational_sweep import TranslationalSweep
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.meshes.booleans import body_of, combined, hull_body, mesh_of, union, united
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 
 needs_manifold3d = pytest.mark.usefixtures("manifold3d")
 

@@ -10,9 +10,9 @@ import pytest
 
 pytest.importorskip("manifold3d", reason="solids need it, and it is missing here")
 
-from sweep_addon.core.canal_surface import CanalSurface
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.canal_surface import CanalSurface
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Formula, Helix, Line, Polyline
 
 EIGHT = Formula("1.5*sin(u)", "1.5*sin(u)*cos(u)", "0", end=tau)

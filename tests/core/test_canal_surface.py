@@ -8,11 +8,11 @@ from math import atan2, pi, sqrt, tau
 import numpy as np
 import pytest
 
-from sweep_addon.core.canal_surface import CanalSurface
 from sweep_addon.core.contours import Circle
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.canal_surface import CanalSurface
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 

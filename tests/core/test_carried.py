@@ -7,8 +7,8 @@ import pytest
 
 from sweep_addon import GeneralizedCylinder, dump, load
 from sweep_addon.core.contours import Circle, Rectangle
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.stations.sampling import Tolerance
 from sweep_addon.core.trajectories import Bezier, Nurbs, Polyline
 
 LINE = [(0, 0, 0), (0, 0, 1), (0, 0, 2), (0, 0, 3)]  # of one cubic, evenly spaced: u is the height over 3

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from solids import assert_solid, ngon
 
 from sweep_addon.core.contours import Aerofoil, Circle, Outline, Rectangle, RegularPolygon, Star
-from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing, rotation_minimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.rotations import signed_angle
-from sweep_addon.core.sampling import Count, Tolerance, place
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import Continuation, FixedUp, Frenet, RotationMinimizing, rotation_minimizing
+from sweep_addon.core.stations.rotations import signed_angle
+from sweep_addon.core.stations.sampling import Count, Tolerance, place
 from sweep_addon.core.trajectories import Arc, Bezier, Line, Polyline, TorusKnot
 
 RING = Arc(2.0, tau)

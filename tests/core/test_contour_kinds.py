@@ -19,8 +19,8 @@ from sweep_addon.core.contours import (
     Star,
     Superellipse,
 )
-from sweep_addon.core.ends import Taper
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.rings.ends import Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.trajectories import Helix, Line, TorusKnot
 
 SLOT = Outline([[(0.2, 0.1), (-0.2, 0.1), (-0.2, -0.1), (0.2, -0.1)]], [[0, 1, 0, 1]])

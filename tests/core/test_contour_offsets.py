@@ -9,7 +9,7 @@ from contour_inputs import OUTLINES, drawn
 import sweep_addon as sw
 from sweep_addon.core.contours import Circle, Ellipse, Outline, Rectangle, Star
 from sweep_addon.core.contours.arcs import arc_points
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 pytest.importorskip("manifold3d")
 offset = sw.contours.offset

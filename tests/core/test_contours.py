@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle, Section
 from sweep_addon.core.contours.crossing import crossings
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 
 @pytest.mark.parametrize("points", [3, 4, 64, 4096])

@@ -13,7 +13,7 @@ from line_arc_outlines import band, inside_by_rays, random_outline, turn, valid
 
 from sweep_addon.core.contours import Circle, Outline, Star
 from sweep_addon.core.conversion import KINDS, convert, decompose
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 REAL = json.loads((DATA / "real_outlines.json").read_text())["outlines"]
 QUARTER, HALF = np.tan(np.pi / 8), 1.0

@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 from solids import assert_solid, box
 
 from sweep_addon.core.contours import Circle, Fit, Outline, Rectangle, fitted
-from sweep_addon.core.corners import Bevel, Mitre, Round
-from sweep_addon.core.ends import Flat, Open, Taper
-from sweep_addon.core.ends import Round as Dome
-from sweep_addon.core.frames import FixedUp, Frenet, RotationMinimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance, place
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings.corners import Bevel, Mitre, Round
+from sweep_addon.core.rings.ends import Flat, Open, Taper
+from sweep_addon.core.rings.ends import Round as Dome
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import FixedUp, Frenet, RotationMinimizing
+from sweep_addon.core.stations.sampling import Count, Tolerance, place
 from sweep_addon.core.trajectories import Arc, Formula, Polyline
 
 ANGLES = [5, 20, 60, 90, 120, 150, 170, 175]

@@ -6,7 +6,7 @@ import pytest
 
 import sweep_addon as sw
 from sweep_addon.core.csg import tree as trees
-from sweep_addon.core.forms import python_source
+from sweep_addon.core.declared.forms import python_source
 
 pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
 

@@ -5,11 +5,11 @@
 import numpy as np
 import pytest
 
+from sweep_addon.core.meshes.polyhedron import polyhedron
 from sweep_addon.core.offsets import level_set
 from sweep_addon.core.offsets.crossings import crossing_pairs
 from sweep_addon.core.offsets.edge_changes import about
 from sweep_addon.core.offsets.implicit import Implicit
-from sweep_addon.core.polyhedron import polyhedron
 
 
 def turned_cube(seed):

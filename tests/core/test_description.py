@@ -7,10 +7,10 @@ import tomllib
 
 import pytest
 
-from sweep_addon.core.description import describe, schema
-from sweep_addon.core.forms import dump
-from sweep_addon.core.parameters import inside, parameters
-from sweep_addon.core.shapes import SHAPES, GeneralizedCylinder
+from sweep_addon.core.declared.description import describe, schema
+from sweep_addon.core.declared.forms import dump
+from sweep_addon.core.declared.parameters import inside, parameters
+from sweep_addon.core.shapes.kinds import SHAPES, GeneralizedCylinder
 
 ROWS = {row.key: row for row in describe(GeneralizedCylinder)}
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from solids import TEAPOT_INNER, TEAPOT_OUTER
 
-from sweep_addon.core.cubics import Basis
-from sweep_addon.core.directions import Arrows, Cubic, Guide, Tilt, meetings
-from sweep_addon.core.frames import axes, rotation_minimizing
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.pd_curve import PDCurve
-from sweep_addon.core.rotations import signed_angle
-from sweep_addon.core.sampling import Count, place
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.stations.cubics import Basis
+from sweep_addon.core.stations.directions import Arrows, Cubic, Guide, Tilt, meetings
+from sweep_addon.core.stations.frames import axes, rotation_minimizing
+from sweep_addon.core.stations.pd_curve import PDCurve
+from sweep_addon.core.stations.rotations import signed_angle
+from sweep_addon.core.stations.sampling import Count, place
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 from sweep_addon.core.vectors import dot, norms, unit
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.distance import PseudoNormals, Tree, nearest
-from sweep_addon.core.facets import facets
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.meshes.facets import facets
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.solids import Bracket
 from sweep_addon.core.trajectories import TorusKnot
 

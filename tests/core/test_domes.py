@@ -10,11 +10,11 @@ from solids import GLYPHS, assert_solid, box
 from test_enclosing import winding
 
 from sweep_addon.core.contours import Aerofoil, Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
-from sweep_addon.core.ends import Flat, Open, Round, Taper
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.laying import CAP, SIDE
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.grids.laying import CAP, SIDE
+from sweep_addon.core.rings.ends import Flat, Open, Round, Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Helix, Line, Polyline
 
 UP = Line(end=(0, 0, 2))

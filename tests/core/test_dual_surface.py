@@ -5,13 +5,13 @@
 import numpy as np
 import pytest
 
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.meshes.polyhedron import polyhedron
 from sweep_addon.core.offsets.band import CORNERS, Band
 from sweep_addon.core.offsets.cycles import tables
 from sweep_addon.core.offsets.dual import dual_surface
 from sweep_addon.core.offsets.implicit import Implicit
 from sweep_addon.core.offsets.level_set import level_set
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.polyhedron import polyhedron
 
 
 def random_band(random, size, share):

@@ -7,10 +7,10 @@ import pytest
 from solids import assert_solid
 
 from sweep_addon.core.contours import Circle, Ellipse, Fit, Outline, Rectangle
-from sweep_addon.core.frames import FixedUp, Frenet, RotationMinimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import FixedUp, Frenet, RotationMinimizing
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline, TorusKnot
 
 RING, KNOT = Arc(2.0, 2 * np.pi), TorusKnot(2, 3, 2.0, 0.8)

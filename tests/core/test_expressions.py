@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sweep_addon.core.expressions import compile
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.formulas.expressions import compile
 
 T = np.linspace(-2, 2, 9)
 

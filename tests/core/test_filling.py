@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Section
 from sweep_addon.core.contours.filling import filled
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 NONZERO, EVEN_ODD = np.array([False]), np.array([True])
 

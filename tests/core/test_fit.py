@@ -21,7 +21,7 @@ from sweep_addon.core.contours import (
     Superellipse,
     fitted,
 )
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 CURVED = [
     Circle(2.0, points=3),

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.contours.flatten import cubics_from_lines, cubics_from_quadratics, flatten_cubics
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 
 def on_cubic(control, t):

@@ -11,7 +11,7 @@ import pytest
 from contour_inputs import FONT
 
 from sweep_addon.core.contours import from_text
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 pytest.importorskip("fontTools")
 

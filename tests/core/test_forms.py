@@ -13,11 +13,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sweep_addon as sw
-from sweep_addon.core import contours, corners, ends, frames, trajectories
-from sweep_addon.core.forms import dump, load, plain, python_source, tables, toml
-from sweep_addon.core.laws import Constant
-from sweep_addon.core.parameters import ShapeError, inside, parameters
-from sweep_addon.core.shapes import SHAPES, GeneralizedCylinder
+from sweep_addon.core import contours, trajectories
+from sweep_addon.core.declared.forms import dump, load, plain, python_source, tables, toml
+from sweep_addon.core.declared.parameters import ShapeError, inside, parameters
+from sweep_addon.core.rings import corners, ends
+from sweep_addon.core.shapes.kinds import SHAPES, GeneralizedCylinder
+from sweep_addon.core.stations import frames
+from sweep_addon.core.variation.laws import Constant
 
 RING = np.stack([np.cos(np.arange(40) / 7), np.sin(np.arange(40) / 7)], axis=1)
 RICH = GeneralizedCylinder(

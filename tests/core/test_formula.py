@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.contours import Circle
-from sweep_addon.core.forms import plain
-from sweep_addon.core.frames import rotation_minimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError, coerce_kind, parameters
-from sweep_addon.core.sampling import Count, place
+from sweep_addon.core.declared.forms import plain
+from sweep_addon.core.declared.parameters import ShapeError, coerce_kind, parameters
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import rotation_minimizing
+from sweep_addon.core.stations.sampling import Count, place
 from sweep_addon.core.trajectories import Closing, Formula, Helix, TorusKnot
 
 KNOTS = json.loads((Path(__file__).parents[1] / "data" / "knots.json").read_text())["knots"]

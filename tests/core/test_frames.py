@@ -8,11 +8,18 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.contours import Rectangle
-from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing, axes, rotation_minimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.rotations import turned
-from sweep_addon.core.sampling import Count, Tolerance, place, stations
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import (
+    Continuation,
+    FixedUp,
+    Frenet,
+    RotationMinimizing,
+    axes,
+    rotation_minimizing,
+)
+from sweep_addon.core.stations.rotations import turned
+from sweep_addon.core.stations.sampling import Count, Tolerance, place, stations
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
 from sweep_addon.core.trajectories.curve import unit
 

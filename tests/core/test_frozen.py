@@ -9,10 +9,10 @@ from dataclasses import Field, FrozenInstanceError, dataclass, field, fields, is
 
 import pytest
 
-from sweep_addon.core import frozen as module
-from sweep_addon.core.frozen import frozen, individual
-from sweep_addon.core.parameters import parameters
-from sweep_addon.core.shapes import SHAPES
+from sweep_addon.core.declared import frozen as module
+from sweep_addon.core.declared.frozen import frozen, individual
+from sweep_addon.core.declared.parameters import parameters
+from sweep_addon.core.shapes.kinds import SHAPES
 
 
 def made(decorator):

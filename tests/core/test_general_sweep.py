@@ -11,14 +11,14 @@ from solids import assert_solid
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle, RegularPolygon, Star
 from sweep_addon.core.contours.region import Region
-from sweep_addon.core.general_sweep import GeneralSweep
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.membership import classify
-from sweep_addon.core.motion import Motion, Parallel
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.shapes.general_sweep import GeneralSweep
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.solids import Ball, Block, Bracket, Cylinder, DrilledBlock, Triangles
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline, TorusKnot
+from sweep_addon.core.variation.motion import Motion, Parallel
 from sweep_addon.core.vectors import unit
 
 CUBE = Block(0.4, 0.4, 0.4)

@@ -10,16 +10,16 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from solids import CENTRELINES, GLYPHS, KNOTS, assert_solid, box, ngon
 
-from sweep_addon.core.cells import bend
 from sweep_addon.core.contours import Circle, Contour, Fit, Outline, Rectangle, ScrewThread
-from sweep_addon.core.ends import Flat, Open, Taper
-from sweep_addon.core.expressions import compile
-from sweep_addon.core.frames import Continuation, FixedUp, Frenet, RotationMinimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.declared.wording import spelled
+from sweep_addon.core.formulas.expressions import compile
+from sweep_addon.core.rings.ends import Flat, Open, Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.cells import bend
+from sweep_addon.core.stations.frames import Continuation, FixedUp, Frenet, RotationMinimizing
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
-from sweep_addon.core.wording import spelled
 
 SIZE = 0.05  # of the contours below, small against the trajectories, so that no bend turns the solid inside out
 LAWS = {  # of scale, and how many points they make on a closed and on an open trajectory, the ends among them

@@ -5,8 +5,8 @@
 import numpy as np
 import pytest
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import LSystem
-from sweep_addon.core.parameters import ShapeError
 
 
 def figure(axiom, head=""):

@@ -9,10 +9,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from sequential_deriver import text
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import Budget, LSystem
-from sweep_addon.core.grammars.derivation import strategy
-from sweep_addon.core.grammars.growth import bounds
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.grammars.deriving.derivation import strategy
+from sweep_addon.core.grammars.deriving.growth import bounds
 
 SMALL = Budget(modules=2000)
 MORE = settings(max_examples=2 * settings().max_examples)

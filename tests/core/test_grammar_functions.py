@@ -4,8 +4,8 @@
 
 import pytest
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import GrammarError, LSystem
-from sweep_addon.core.parameters import ShapeError
 
 AXIOM = "#names leaf\naxiom: A(3, 1) B A(1, 2)"
 

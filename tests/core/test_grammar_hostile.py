@@ -14,8 +14,8 @@ from test_grammar_dialects import FASS, LEAF
 from test_grammar_language import WHOLE
 
 from sweep_addon import presets
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import Budget, GrammarError, LSystem
-from sweep_addon.core.parameters import ShapeError
 
 OFFERED = [str(presets.shape(preset.name).system) for preset in presets.PRESETS if preset.group == presets.GROWN]
 SMALL = Budget(modules=5000, bytes=5_000_000, seconds=1)

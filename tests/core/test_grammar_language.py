@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from test_grammar_conformance import ENTRIES, text
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import Budget, GrammarError, LSystem
-from sweep_addon.core.parameters import ShapeError
 
 SMALL = Budget(modules=5000, bytes=10_000_000, seconds=2)
 WHOLE = r"""#dialect abop

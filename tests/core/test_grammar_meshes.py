@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import LSystem
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.plant import Plant
+from sweep_addon.core.shapes.plant import Plant
 
 PLANT = "#angle 22.5\naxiom: X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\n"
 HONDA = """axiom: A(1,0.1)

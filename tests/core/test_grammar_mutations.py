@@ -15,8 +15,8 @@ from test_grammar_statements import RACEME
 from test_grammar_subsystems import CPFG as NESTED
 from test_grammar_subsystems import FLOWERING
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import LSystem
-from sweep_addon.core.parameters import ShapeError
 
 CURVED = """axiom: !(0.2) @Gs A(0.2)
 A(w) -> f(1) !(w*0.7) @Gc(6) [+ f(1) !(w*0.3) @Gt(1,2) @Ge(6)] - A(w*0.7)

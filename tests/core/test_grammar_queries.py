@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sequential_turtle import walk
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import LSystem
-from sweep_addon.core.grammars.describing import described
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.plant import Edges, Plant
+from sweep_addon.core.grammars.deriving.describing import described
+from sweep_addon.core.shapes.plant import Edges, Plant
 
 START = {"x": ((1, 0, 0), (0, 1, 0), (0, 0, 1)), "z": ((0, 0, 1), (0, 1, 0), (-1, 0, 0))}
 SQUARE = """

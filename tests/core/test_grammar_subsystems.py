@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import GrammarError, LSystem
-from sweep_addon.core.grammars.describing import described
-from sweep_addon.core.grammars.subsystems import Regions
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.grammars.deriving.describing import described
+from sweep_addon.core.grammars.deriving.subsystems import Regions
 
 FLOWERING = """
 #names internode

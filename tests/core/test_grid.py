@@ -9,14 +9,14 @@ import pytest
 from solids import GLYPHS, ngon
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.ends import Open, Taper
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.joining import joined
-from sweep_addon.core.laying import CAP, SIDE
-from sweep_addon.core.rotational_sweep import RotationalSweep
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.grids.laying import CAP, SIDE
+from sweep_addon.core.meshes.joining import joined
+from sweep_addon.core.rings.ends import Open, Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Line, Polyline, TorusKnot
-from sweep_addon.core.translational_sweep import TranslationalSweep
 
 PERCENT, _ = GLYPHS["%"]
 HALF = Outline([[(0, -1), (0, 1)]], bulges=[(1, 0)], tolerance=0.01)

@@ -5,9 +5,9 @@
 import numpy as np
 import pytest
 
-from sweep_addon.core.expressions import compile
-from sweep_addon.core.functions import FUNCTIONS, INFIX, PREFIX
-from sweep_addon.core.jets import Jet
+from sweep_addon.core.formulas.expressions import compile
+from sweep_addon.core.formulas.functions import FUNCTIONS, INFIX, PREFIX
+from sweep_addon.core.formulas.jets import Jet
 
 PLACES = np.array([0.3, 0.71, 1.3, -0.4])
 EVERY = """

@@ -11,31 +11,34 @@ from pathlib import Path
 
 import pytest
 
+from sweep_addon.core.declared.parameters import coerce, inside, parameters
 from sweep_addon.core.later import later
-from sweep_addon.core.laws import Constant, Formula
-from sweep_addon.core.parameters import coerce, inside, parameters
-from sweep_addon.core.shapes import SHAPES
+from sweep_addon.core.shapes.kinds import SHAPES
+from sweep_addon.core.variation.laws import Constant, Formula
 
 LIBRARY = Path(__file__).resolve().parents[2] / "sweep_addon"
 # Modules of the core that enabling the extension may not import. What shapes are declared of has no need of them.
 WAITING = """
-    along bending bevels body boundary caps cells changing chart chebyshev closing components description digest
-    dimensions domes draft drawn enclosing envelope expressions facets forms functions grid hints in_plane jets joining
-    kept laying leaning matching mesh mitres motion parting polyhedron reach regularizing rotations runs search sheets
-    spreading steps transport triangulate trimming volume_true welding
-    contours.arcs contours.arrangement contours.crossing contours.filling contours.flatten contours.fonts contours.loops
-    contours.nesting contours.orientation contours.planar contours.ranges contours.reading contours.rounding
-    contours.section contours.svg contours.svg_document contours.symmetry
-    distance.nearest grammars growing offsets.offset solids.prism swept
+    variation.along stations.bending rings.bevels rings.body meshes.boundary rings.caps stations.cells
+    variation.changing grids.chart stations.chebyshev rings.closing meshes.components declared.description
+    declared.digest meshes.dimensions rings.domes rings.draft grids.drawn rings.enclosing envelopes.envelope
+    formulas.expressions meshes.facets declared.forms formulas.functions grids.grid declared.hints grids.in_plane
+    formulas.jets meshes.joining kept grids.laying grids.leaning variation.matching meshes.mesh rings.mitres
+    variation.motion rings.parting meshes.polyhedron envelopes.reach meshes.regularizing stations.rotations
+    meshes.runs stations.search meshes.sheets stations.spreading rings.steps stations.transport meshes.triangulate
+    rings.trimming rings.volume_true meshes.welding contours.arcs contours.arrangement contours.crossing
+    contours.filling contours.flatten contours.fonts contours.loops contours.nesting contours.orientation
+    contours.planar contours.ranges contours.reading contours.rounding contours.section contours.svg
+    contours.svg_document contours.symmetry distance.nearest grammars shapes.growing offsets.offset solids.prism swept
     self_intersection.cells self_intersection.cylinders self_intersection.detect self_intersection.faces
     self_intersection.folds self_intersection.lattice self_intersection.local self_intersection.pd_curves
-    self_intersection.places self_intersection.screws self_intersection.thickness
-    trajectories.arc_length trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
+    self_intersection.places self_intersection.screws self_intersection.thickness trajectories.arc_length
+    trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
 """.split()
 DECLARED = """
 import sys
-from sweep_addon.core.parameters import inside, parameters
-from sweep_addon.core.shapes import SHAPES
+from sweep_addon.core.declared.parameters import inside, parameters
+from sweep_addon.core.shapes.kinds import SHAPES
 
 def ask(declared):
     for p in declared:
@@ -97,7 +100,7 @@ def test_registering_imports_of_the_bridge_what_declares_properties_alone():
 
 
 def test_what_stands_for_a_class_knows_its_objects():
-    array, error = later("core.parameters", "Array", "ShapeError")
+    array, error = later("core.declared.parameters", "Array", "ShapeError")
     assert isinstance(array([1.0]), array) and not isinstance(array([1.0]), error)
 
 

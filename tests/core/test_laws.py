@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.laws import Constant, Formula, Law, Points
-from sweep_addon.core.parameters import Array, Parameter, ShapeError, coerce, inside, parameters
+from sweep_addon.core.declared.parameters import Array, Parameter, ShapeError, coerce, inside, parameters
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.variation.laws import Constant, Formula, Law, Points
 
 T = np.linspace(0, 1, 101)
 SCALE = Parameter("scale_x", Law, Constant(1.0))

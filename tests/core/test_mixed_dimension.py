@@ -12,15 +12,15 @@ from solids import assert_solid, box
 from test_translational_sweep import star
 
 from sweep_addon import presets
-from sweep_addon.core import forms
 from sweep_addon.core.contours import Circle, Mixed, Outline, Rectangle
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.joining import joined
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.rotational_sweep import RotationalSweep
-from sweep_addon.core.sampling import Count
-from sweep_addon.core.shapes import SHAPES
-from sweep_addon.core.translational_sweep import TranslationalSweep
+from sweep_addon.core.declared import forms
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.meshes.joining import joined
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.kinds import SHAPES
+from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
+from sweep_addon.core.stations.sampling import Count
 
 CLOSE = dict(rel=1e-12)  # rounding: sums of a few hundred numbers
 LECTURE = {  # by the lecture's letter: parts of dimension 3 to 0, dangling and connecting edges, singular points, edges

@@ -10,14 +10,14 @@ from solids import GLYPHS, assert_solid
 
 import sweep_addon as sw
 from sweep_addon.core.contours import Circle, Outline, Rectangle, RegularPolygon, Star, Superellipse
-from sweep_addon.core.ends import Flat, Open, Round, Taper
-from sweep_addon.core.forms import python_source
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.matching import matched
-from sweep_addon.core.morph import Blend, Match
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.declared.forms import python_source
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings.ends import Flat, Open, Round, Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Helix, Line, Polyline, TorusKnot
+from sweep_addon.core.variation.matching import matched
+from sweep_addon.core.variation.morph import Blend, Match
 
 UP = Line(end=(0, 0, 3))
 CONTOURS = [

@@ -9,11 +9,11 @@ import pytest
 from solids import assert_solid, box
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.ends import Taper
-from sweep_addon.core.frames import FixedUp, Frenet, RotationMinimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings.ends import Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import FixedUp, Frenet, RotationMinimizing
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Helix, Line, Polyline, TorusKnot
 
 RING = Arc(2.0, tau)  # its first normal points outwards, its first binormal down

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from solids import GLYPHS, TEAPOT_INNER, TEAPOT_OUTER, assert_solid
 
-from sweep_addon.core.chart import Texture
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.corners import Round
-from sweep_addon.core.directions import Arrows, Cubic, Guide, Tilt
-from sweep_addon.core.forms import dump, load
-from sweep_addon.core.limits import Flat, Open, Plane
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.pd_curve_sweep import PDCurveSweep
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.forms import dump, load
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.grids.chart import Texture
+from sweep_addon.core.rings.corners import Round
+from sweep_addon.core.rings.limits import Flat, Open, Plane
+from sweep_addon.core.rings.trimming import ONCE
+from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.stations.directions import Arrows, Cubic, Guide, Tilt
+from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Polyline, Sampled, TorusKnot
-from sweep_addon.core.trimming import ONCE
 from sweep_addon.core.vectors import dot, norms
 
 UPRIGHT = Line(end=(0, 0, 4))

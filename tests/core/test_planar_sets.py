@@ -7,7 +7,7 @@ import pytest
 
 from sweep_addon.core.contours import Mixed, Outline
 from sweep_addon.core.contours.orientation import orientation
-from sweep_addon.core.in_plane import swept
+from sweep_addon.core.grids.in_plane import swept
 
 CELL = 2.0**-20  # of coordinates up to about 2: what the grid of the union cannot tell apart, with room
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
-from sweep_addon.core import growing
-from sweep_addon.core.forms import python_source
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.texture import Texture
+from sweep_addon.core.declared.forms import python_source
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.grids.texture import Texture
+from sweep_addon.core.shapes import growing
 
 TREE = """#define r 0.7     # 0.5 .. 0.9 how much shorter a branch is
 #define half r/2

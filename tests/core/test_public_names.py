@@ -11,7 +11,7 @@ from typing import get_args
 import pytest
 
 import sweep_addon as sw
-from sweep_addon.core.parameters import parameters
+from sweep_addon.core.declared.parameters import parameters
 
 UNIONS = {
     "contours": "Contour",

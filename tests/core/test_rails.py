@@ -10,11 +10,11 @@ from solids import assert_solid
 
 import sweep_addon as sw
 from sweep_addon.core.contours import Aerofoil, Circle, Outline, Rectangle
-from sweep_addon.core.forms import python_source
-from sweep_addon.core.frames import Frenet
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.declared.forms import python_source
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import Frenet
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Polyline
 
 UP = Line(end=(0, 0, 3))

@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 from conftest import BRIEF, FULL
 
-from sweep_addon.core.booleans import hull_body, mesh_of
-from sweep_addon.core.canal_surface import CanalSurface
 from sweep_addon.core.contours import Circle, Ellipse, Rectangle, RegularPolygon, Star, Superellipse
 from sweep_addon.core.contours.region import Region
-from sweep_addon.core.facets import facets
-from sweep_addon.core.general_sweep import GeneralSweep
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.offset_surface import OffsetSurface
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.meshes.booleans import hull_body, mesh_of
+from sweep_addon.core.meshes.facets import facets
+from sweep_addon.core.shapes.canal_surface import CanalSurface
+from sweep_addon.core.shapes.general_sweep import GeneralSweep
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.offset_surface import OffsetSurface
 from sweep_addon.core.solids import Ball, Block, Bracket, Cylinder, DrilledBlock, Triangles
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Bezier, Formula, Helix, Polyline
 
 pytest.importorskip("manifold3d")

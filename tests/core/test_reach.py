@@ -5,8 +5,8 @@
 import numpy as np
 import pytest
 
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.reach import reach
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.envelopes.reach import reach
 from sweep_addon.core.trajectories import Arc, Formula, Helix, Line, Polyline, TorusKnot
 
 

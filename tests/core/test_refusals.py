@@ -8,11 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Circle
-from sweep_addon.core.frames import Frenet
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError, shown
-from sweep_addon.core.reach import reach
-from sweep_addon.core.sampling import Tolerance
+from sweep_addon.core.declared.parameters import ShapeError, shown
+from sweep_addon.core.envelopes.reach import reach
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import Frenet
+from sweep_addon.core.stations.sampling import Tolerance
 from sweep_addon.core.trajectories import Line, Polyline, from_gpx
 
 

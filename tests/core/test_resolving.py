@@ -10,15 +10,15 @@ import pytest
 from inverse_sweep import estimate
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle, Star
-from sweep_addon.core.directions import Arrows
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.resolving.of_rings import solid_of_rings
-from sweep_addon.core.rotational_sweep import RotationalSweep
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
+from sweep_addon.core.stations.directions import Arrows
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Formula, Helix, Line, Polyline, Sampled, TorusKnot
-from sweep_addon.core.translational_sweep import TranslationalSweep
 
 EIGHT = Formula("2*sin(u)", "sin(2*u)", "0", start=0.0, end=2 * pi)
 PARABOLA = Formula("u", "4*u^2", "0", start=-1.0, end=1.0)

@@ -10,10 +10,10 @@ from solids import GLYPHS, assert_solid, box
 from test_translational_sweep import star
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.parting import parted
-from sweep_addon.core.rotational_sweep import RotationalSweep
-from sweep_addon.core.sampling import Count, Tolerance
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings.parting import parted
+from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
+from sweep_addon.core.stations.sampling import Count, Tolerance
 
 CLOSE = dict(rel=1e-12)  # rounding: sums of a few hundred numbers
 BLOCK = Outline([box((0, 0), (2, 1))])  # with an edge on the axis

@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sweep_addon.core.frames import rotation_minimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.rotations import rotated, signed_angle, wrapped
-from sweep_addon.core.sampling import Tolerance, place, stations
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import rotation_minimizing
+from sweep_addon.core.stations.rotations import rotated, signed_angle, wrapped
+from sweep_addon.core.stations.sampling import Tolerance, place, stations
+from sweep_addon.core.stations.transport import transport
 from sweep_addon.core.trajectories import Arc, Helix, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
-from sweep_addon.core.transport import transport
 
 LINES = json.loads((Path(__file__).parents[1] / "data" / "centrelines.json").read_text())["lines"]
 KNOT = TorusKnot(2, 3, 2.0, 0.8)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.contours import Circle
-from sweep_addon.core.ends import Taper
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.sampling import Count, Tolerance, place
+from sweep_addon.core.rings.ends import Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.sampling import Count, Tolerance, place
 from sweep_addon.core.trajectories import Bezier, Formula, Helix, Line, Nurbs, Polyline, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 

@@ -9,8 +9,8 @@ import pytest
 from solids import assert_solid
 
 from sweep_addon.core.contours import Fit, ScrewThread, fitted
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.trajectories import Line
 
 ISO_724 = {  # millimetres: pitch (coarse, ISO 261), d, d2 and d1

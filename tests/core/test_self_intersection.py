@@ -8,12 +8,12 @@ from brute_force import crossing_faces, tube_volume
 from test_reach import helix_reach
 
 from sweep_addon.core.contours import Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star
-from sweep_addon.core.corners import Mitre, Round
-from sweep_addon.core.frames import RotationMinimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.rings.corners import Mitre, Round
 from sweep_addon.core.self_intersection.faces import faces_of
 from sweep_addon.core.self_intersection.folds import roots, turning_back
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import RotationMinimizing
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Formula, Helix, Line, Polyline, TorusKnot
 
 KNOT = TorusKnot(2, 3, major=2.0, minor=0.8)

@@ -7,14 +7,14 @@ import pytest
 from brute_force import crossing_faces
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.directions import Arrows
-from sweep_addon.core.limits import Plane
-from sweep_addon.core.pd_curve_sweep import PDCurveSweep
-from sweep_addon.core.rotational_sweep import RotationalSweep
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.rings.limits import Plane
 from sweep_addon.core.self_intersection.faces import faces_of
+from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
+from sweep_addon.core.stations.directions import Arrows
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Formula, Line
-from sweep_addon.core.translational_sweep import TranslationalSweep
 
 THREAD = Outline([[(1, 0), (2, 0), (2, 0.5), (1, 0.5)]])
 PARABOLA = Formula("u", "4*u^2", "0", start=-1.0, end=1.0)

@@ -7,8 +7,8 @@ import pytest
 
 from sweep_addon import GeneralizedCylinder
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.frames import Frenet
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.stations.frames import Frenet
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Helix, Line, Polyline, TorusKnot
 
 

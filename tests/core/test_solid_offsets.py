@@ -7,23 +7,23 @@ import pytest
 from brute_force import crossing_faces
 from contour_inputs import OUTLINES, drawn
 
-from sweep_addon.core.booleans import hull_body, mesh_of
 from sweep_addon.core.contours import Circle, Star
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.distance import Tree, nearest
-from sweep_addon.core.facets import facets
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.offset_surface import OffsetSurface
+from sweep_addon.core.meshes.booleans import hull_body, mesh_of
+from sweep_addon.core.meshes.facets import facets
+from sweep_addon.core.meshes.polyhedron import polyhedron
 from sweep_addon.core.offsets.band import narrow_band
 from sweep_addon.core.offsets.convex import is_convex
 from sweep_addon.core.offsets.crossings import crossing_pairs
 from sweep_addon.core.offsets.implicit import Implicit
 from sweep_addon.core.offsets.offset import Engine, Side, offset
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.polyhedron import polyhedron
-from sweep_addon.core.sampling import Count
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.offset_surface import OffsetSurface
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.core.solids import Block, Bracket, Cylinder, DrilledBlock, Triangles
+from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Formula, TorusKnot
-from sweep_addon.core.translational_sweep import TranslationalSweep
 
 pytest.importorskip("manifold3d")
 

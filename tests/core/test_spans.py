@@ -5,11 +5,11 @@
 import numpy as np
 import pytest
 
-from sweep_addon.core.bending import Bending
-from sweep_addon.core.corners import Round
-from sweep_addon.core.directions import Arrows, Cubic, Tilt
-from sweep_addon.core.drawn import affine
-from sweep_addon.core.spans import FEW, MOST_SPANS, Fan, spans
+from sweep_addon.core.grids.drawn import affine
+from sweep_addon.core.rings.corners import Round
+from sweep_addon.core.stations.bending import Bending
+from sweep_addon.core.stations.directions import Arrows, Cubic, Tilt
+from sweep_addon.core.stations.spans import FEW, MOST_SPANS, Fan, spans
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Polyline, Sampled
 
 LEVEL = Arrows([(0, 0, 0, 1)])

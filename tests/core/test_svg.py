@@ -7,7 +7,7 @@ import pytest
 from contour_inputs import DATA
 
 from sweep_addon.core.contours import Outline, from_svg
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 pytest.importorskip("svgelements")
 

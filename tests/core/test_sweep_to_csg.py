@@ -14,7 +14,7 @@ import sweep_addon as sw
 from sweep_addon.core.conversion import KINDS, kind
 from sweep_addon.core.conversion.loop import Loop
 from sweep_addon.core.conversion.seams import seamed
-from sweep_addon.core.parameters import ShapeError
+from sweep_addon.core.declared.parameters import ShapeError
 
 REAL = json.loads((DATA / "real_outlines.json").read_text())["outlines"]
 PLATE = sw.contours.Rectangle(4.0, 2.0, rounding=0.5)

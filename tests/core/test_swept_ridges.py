@@ -8,8 +8,8 @@ from math import hypot, pi
 import numpy as np
 import pytest
 
-from sweep_addon.core.facets import facets
-from sweep_addon.core.general_sweep import GeneralSweep
+from sweep_addon.core.meshes.facets import facets
+from sweep_addon.core.shapes.general_sweep import GeneralSweep
 from sweep_addon.core.solids import Ball, Block, Cylinder
 from sweep_addon.core.trajectories import Arc, Line
 

@@ -5,7 +5,7 @@
 import numpy as np
 import pytest
 
-from sweep_addon.core.polyhedron import polyhedron
+from sweep_addon.core.meshes.polyhedron import polyhedron
 from sweep_addon.core.resolving.absorbing import absorbed
 from sweep_addon.core.resolving.contracting import contracted
 from sweep_addon.core.resolving.drawing_apart import drawn_apart

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sweep_addon.core.expressions import compile
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Tolerance, place
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.formulas.expressions import compile
+from sweep_addon.core.stations.sampling import Tolerance, place
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 

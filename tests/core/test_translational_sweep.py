@@ -10,10 +10,10 @@ import pytest
 from solids import GLYPHS, assert_solid, box, ngon
 
 from sweep_addon.core.contours import Circle, Mixed, Outline, Rectangle, RegularPolygon, Star
-from sweep_addon.core.draft import mitres, reachable
-from sweep_addon.core.laying import CAP
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.translational_sweep import Reference, TranslationalSweep
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.grids.laying import CAP
+from sweep_addon.core.rings.draft import mitres, reachable
+from sweep_addon.core.shapes.translational_sweep import Reference, TranslationalSweep
 
 CLOSE = dict(rel=1e-12)  # rounding: sums of a few hundred numbers
 PLATE = Outline([box((-2, -1), (2, 1)), ngon((-0.8, 0), 0.5, 7), ngon((0.9, 0), 0.6, 24)])

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Section, from_svg, from_text
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.triangulate import triangulate
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.meshes.triangulate import triangulate
 
 
 def assert_fills(section):

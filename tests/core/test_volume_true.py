@@ -7,11 +7,11 @@ import pytest
 from solids import assert_solid
 
 from sweep_addon.core.contours import Circle, Ellipse, Fit, Outline, Rectangle
-from sweep_addon.core.ends import Taper
-from sweep_addon.core.frames import FixedUp, Frenet, RotationMinimizing
-from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.parameters import ShapeError
-from sweep_addon.core.sampling import Count, Tolerance, place
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings.ends import Taper
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import FixedUp, Frenet, RotationMinimizing
+from sweep_addon.core.stations.sampling import Count, Tolerance, place
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Polyline, TorusKnot
 
 RING, TUBE = Arc(2.0, 2 * np.pi), Circle(0.5, points=16)

@@ -7,8 +7,8 @@ from enum import Enum
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length, parameter, require
 from ..later import later
-from ..parameters import count, declared, length, parameter, require
 
 Section = later("core.contours.section", "Section")
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..parameters import require
+from ..declared.parameters import require
 from .outline import Outline
 from .reading import argument
 

@@ -8,7 +8,7 @@ point, by which an edge may come to meet another one; so the splitting is repeat
 
 import numpy as np
 
-from ..parameters import ShapeError, require
+from ..declared.parameters import ShapeError, require
 from ..vectors import dot
 from .crossing import overlapping_boxes
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Breadth: a figure much flatter than it is long has points that nothing can tell apart, and is refused."""
 
-from ..parameters import require
+from ..declared.parameters import require
 
 FLATTEST = 1e-6  # single precision, which Blender keeps, tells the two sides of such a figure just apart
 

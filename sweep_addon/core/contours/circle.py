@@ -4,8 +4,8 @@
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length
 from ..later import later
-from ..parameters import count, declared, length
 
 Section = later("core.contours.section", "Section")
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..parameters import require
+from ..declared.parameters import require
 from ..vectors import dot
 from .orientation import orientation
 from .ranges import IN_CACHE, ranges

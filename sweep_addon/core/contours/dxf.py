@@ -7,8 +7,8 @@ from itertools import islice
 
 import numpy as np
 
-from ..documents import about, content
-from ..parameters import ShapeError
+from ..declared.documents import about, content
+from ..declared.parameters import ShapeError
 from .joining_edges import closed_loops
 from .outline import Outline
 from .reading import argument, library
@@ -55,7 +55,7 @@ def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
     --------
     >>> from_dxf("0\\nSECTION\\n")  # doctest: +IGNORE_EXCEPTION_DETAIL
     Traceback (most recent call last):
-    sweep_addon.core.parameters.ShapeError: the DXF text must have a closed loop, got none
+    sweep_addon.core.declared.parameters.ShapeError: the DXF text must have a closed loop, got none
     """
     scale, centred = argument("scale", scale, minimum=0.0), argument("centred", centred, bool)
     layer = argument("layer", layer, str)

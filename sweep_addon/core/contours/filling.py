@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..parameters import require
-from ..runs import following, run_of
+from ..declared.parameters import require
+from ..meshes.runs import following, run_of
 from .arrangement import CELLS, arrangement, side
 from .ranges import ranges
 

@@ -7,8 +7,8 @@ from enum import Enum
 
 import numpy as np
 
+from ..declared.parameters import require, spelled
 from ..later import later
-from ..parameters import require, spelled
 from ..vectors import dot
 
 crossings = later("core.contours.crossing", "crossings")

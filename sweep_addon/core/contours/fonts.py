@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..documents import about
-from ..parameters import ShapeError, require
+from ..declared.documents import about
+from ..declared.parameters import ShapeError, require
 from .flatten import cubics_from_lines, cubics_from_quadratics
 from .reading import argument, library, outline
 
@@ -47,7 +47,7 @@ def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
     --------
     >>> from_text("", "no.ttf")  # doctest: +IGNORE_EXCEPTION_DETAIL
     Traceback (most recent call last):
-    sweep_addon.core.parameters.ShapeError: text: must have a visible character, got ''
+    sweep_addon.core.declared.parameters.ShapeError: text: must have a visible character, got ''
     """
     text, size = argument("text", text, str), argument("size", size, above=0.0)
     require(text.strip(), "must have a visible character", text, "text")

@@ -4,9 +4,9 @@
 
 import numpy as np
 
+from ..declared.parameters import LARGEST, ShapeError, require
 from ..later import later
-from ..parameters import LARGEST, ShapeError, require
-from ..runs import following, run_of
+from ..meshes.runs import following, run_of
 from .outline import MOST_POINTS
 
 crossings = later("core.contours.crossing", "crossings")

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..parameters import Array, declared, parameter, require
+from ..declared.parameters import Array, declared, parameter, require
 from .outline import MOST_POINTS
 
 BLOCK = ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))

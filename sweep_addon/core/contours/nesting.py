@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..parameters import require
-from ..runs import following, run_of
+from ..declared.parameters import require
+from ..meshes.runs import following, run_of
 from .orientation import orientation
 from .ranges import IN_CACHE, ranges
 

@@ -4,11 +4,11 @@
 
 import numpy as np
 
-from ..booleans import library
+from ..declared.frozen import individual
+from ..declared.parameters import require
 from ..distance import Tree, nearest
-from ..frozen import individual
-from ..parameters import require
-from ..runs import following
+from ..meshes.booleans import library
+from ..meshes.runs import following
 from ..vectors import dot
 from .arcs import apexes, arc_points, chords, tangent_turns
 from .outline import Outline, size

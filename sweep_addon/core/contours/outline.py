@@ -6,15 +6,15 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..declared.parameters import Array, at, declared, parameter, require
 from ..later import later
-from ..parameters import Array, at, declared, parameter, require
 
 apexes, arc_points, chords, segments, tangent_turns = later(
     "core.contours.arcs", "apexes", "arc_points", "chords", "segments", "tangent_turns"
 )
 joined = later("core.contours.loops", "joined")
 sections = later("core.contours.section")
-following = later("core.runs", "following")
+following = later("core.meshes.runs", "following")
 
 MOST_POINTS = 200_000  # of all loops together: what a second or two can check
 

@@ -8,7 +8,7 @@ its boundary is of the area already, and so is a point.
 
 import numpy as np
 
-from ..runs import following, run_of
+from ..meshes.runs import following, run_of
 from .arrangement import CELLS, arrangement, side, split
 from .crossing import overlapping_boxes
 from .filling import drawn_back, followers, orbits, sided, wide

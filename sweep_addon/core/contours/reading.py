@@ -6,7 +6,7 @@ from importlib import import_module
 
 import numpy as np
 
-from ..parameters import LARGEST, Parameter, ShapeError, at, coerce, require
+from ..declared.parameters import LARGEST, Parameter, ShapeError, at, coerce, require
 from .filling import filled
 from .flatten import flatten_cubics
 from .outline import Outline

@@ -4,8 +4,8 @@
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length, parameter, require
 from ..later import later
-from ..parameters import count, declared, length, parameter, require
 from .breadth import require_broad
 
 rounded, rounded_apexes = later("core.contours.rounding", "rounded", "rounded_apexes")

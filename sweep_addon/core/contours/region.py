@@ -4,10 +4,10 @@
 
 import numpy as np
 
+from ..declared.parameters import at, declared, length, parameter, require
 from ..later import later
-from ..parameters import at, declared, length, parameter, require
 
-compile = later("core.expressions", "compile")
+compile = later("core.formulas.expressions", "compile")
 
 NAMES = ("x", "y", "t")
 LOOKED_AT = 65  # places along each side of the square, and along the way

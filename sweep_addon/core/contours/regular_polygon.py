@@ -7,8 +7,8 @@ from math import cos, pi, tan
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length, parameter, require
 from ..later import later
-from ..parameters import count, declared, length, parameter, require
 
 rounded, rounded_apexes = later("core.contours.rounding", "rounded", "rounded_apexes")
 Section = later("core.contours.section", "Section")

@@ -6,8 +6,8 @@ from math import sqrt
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length, require
 from ..later import later
-from ..parameters import count, declared, length, require
 
 Section = later("core.contours.section", "Section")
 

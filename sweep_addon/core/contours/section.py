@@ -7,9 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 from ..later import later
-from ..runs import following, run_of
+from ..meshes.runs import following, run_of
 from ..vectors import dot
 from .loops import joined, require_apart, require_area, without_coincident
 

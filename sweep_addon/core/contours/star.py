@@ -6,8 +6,8 @@ from math import pi, sin
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length
 from ..later import later
-from ..parameters import count, declared, length
 from .breadth import require_broad
 
 Section = later("core.contours.section", "Section")

@@ -7,8 +7,8 @@ from math import gamma
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length, parameter
 from ..later import later
-from ..parameters import count, declared, length, parameter
 from .breadth import require_broad
 
 sections = later("core.contours.section")

@@ -4,8 +4,8 @@
 
 from xml.etree import ElementTree
 
-from ..documents import DEEPEST, parsed, plain
-from ..parameters import require
+from ..declared.documents import DEEPEST, parsed, plain
+from ..declared.parameters import require
 
 LARGEST = 2_000_000  # characters, repeated uses counted again
 UNSEEN = {"mask", "marker", "filter", "linearGradient", "radialGradient", "foreignObject", "script"}

@@ -5,8 +5,8 @@
 import numpy as np
 
 from ..contours.offsetting import edges
-from ..frozen import frozen
-from ..parameters import require
+from ..declared.frozen import frozen
+from ..declared.parameters import require
 from .decomposition import SIGNS, classified, decompose
 
 

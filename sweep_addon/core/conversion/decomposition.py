@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..frozen import frozen
-from ..parameters import require
+from ..declared.frozen import frozen
+from ..declared.parameters import require
 from .choice import best
 from .contacts import cross, meet
 from .edges import apex, half_tangent, sagitta

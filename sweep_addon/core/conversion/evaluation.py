@@ -9,9 +9,9 @@ import numpy as np
 from ..contours import Outline
 from ..contours.arc_recovery import recover_arcs
 from ..csg import Tree
-from ..facets import facets
-from ..parameters import require
-from ..translational_sweep import TranslationalSweep
+from ..declared.parameters import require
+from ..meshes.facets import facets
+from ..shapes.translational_sweep import TranslationalSweep
 
 FLAT = 1e-9  # of the height: how far a vertex of the base face may be from its plane
 STRAIGHT = 1e-6  # radians: a smaller turn is none

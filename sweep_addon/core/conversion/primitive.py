@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..contours import Outline
-from ..frozen import frozen
+from ..declared.frozen import frozen
 from .inside import inside
 from .loop import Loop
 

@@ -11,10 +11,10 @@ from ..contours.arcs import apexes
 from ..contours.offsetting import edges
 from ..contours.outline import size
 from ..csg import Tree
-from ..ends import Flat, Open
-from ..parameters import require
-from ..runs import following
-from ..translational_sweep import FLATTEST, Reference, TranslationalSweep
+from ..declared.parameters import require
+from ..meshes.runs import following
+from ..rings.ends import Flat, Open
+from ..shapes.translational_sweep import FLATTEST, Reference, TranslationalSweep
 from .areas import convert
 from .decomposition import prepared
 from .edges import sagitta

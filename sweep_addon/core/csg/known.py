@@ -5,8 +5,8 @@
 from functools import cache
 from typing import get_args
 
-from ..parameters import spelled
-from ..shapes import SWEPT
+from ..declared.parameters import spelled
+from ..shapes.kinds import SWEPT
 from ..solids import Solid
 
 

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from .. import booleans
-from ..booleans import body_of, combined, mesh_of
-from ..facets import facets
-from ..parameters import at, require, spelled
-from ..polyhedron import polyhedron
-from ..runs import backward
-from ..translational_sweep import TranslationalSweep
+from ..declared.parameters import at, require, spelled
+from ..meshes import booleans
+from ..meshes.booleans import body_of, combined, mesh_of
+from ..meshes.facets import facets
+from ..meshes.polyhedron import polyhedron
+from ..meshes.runs import backward
+from ..shapes.translational_sweep import TranslationalSweep
 from .placed import Placed
 from .tree import Tree
 

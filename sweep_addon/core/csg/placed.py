@@ -4,9 +4,9 @@
 
 import numpy as np
 
+from ..declared.parameters import Array, declared, parameter, require
 from ..later import later
-from ..operand import Operand
-from ..parameters import Array, declared, parameter, require
+from ..shapes.operand import Operand
 from ..solids import Block
 
 line, shared_hash, shared_equal = (later("core.csg.shared", name) for name in ("line", "hashed", "equal"))

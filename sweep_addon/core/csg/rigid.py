@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rigid motions: how a solid moves that neither stretches nor bends on the way."""
 
-from ..frames import FixedUp, Frenet, RotationMinimizing
-from ..laws import Law
-from ..parallel import Parallel
-from ..parameters import angle, declared, parameter
+from ..declared.parameters import angle, declared, parameter
+from ..stations.frames import FixedUp, Frenet, RotationMinimizing
+from ..stations.parallel import Parallel
 from ..trajectories import Arc, Trajectory
+from ..variation.laws import Law
 
 Carried = Parallel | RotationMinimizing | Frenet | FixedUp
 

@@ -5,8 +5,8 @@
 A tree of thirty steps may name its first operand a thousand million times, as ``tree = tree | tree`` does each time.
 """
 
-from ..operand import Operand
-from ..parameters import spelled
+from ..declared.parameters import spelled
+from ..shapes.operand import Operand
 
 LONGEST = 2_000  # characters of a line; what is longer is told by its number of operands
 MANY = " operands)"

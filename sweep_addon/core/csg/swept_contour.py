@@ -6,16 +6,16 @@ from functools import lru_cache
 from math import tau
 
 from ..contours import Contour, Rectangle
+from ..declared.parameters import angle, declared, length, parameter
 from ..later import later
-from ..operand import Operand
-from ..parameters import angle, declared, length, parameter
+from ..shapes.operand import Operand
 from ..trajectories import Trajectory
 from .rigid import RigidMotion
 
-GeneralSweep = later("core.general_sweep", "GeneralSweep")
-GeneralizedCylinder = later("core.generalized_cylinder", "GeneralizedCylinder")
-RotationalSweep = later("core.rotational_sweep", "RotationalSweep")
-TranslationalSweep = later("core.translational_sweep", "TranslationalSweep")
+GeneralSweep = later("core.shapes.general_sweep", "GeneralSweep")
+GeneralizedCylinder = later("core.shapes.generalized_cylinder", "GeneralizedCylinder")
+RotationalSweep = later("core.shapes.rotational_sweep", "RotationalSweep")
+TranslationalSweep = later("core.shapes.translational_sweep", "TranslationalSweep")
 
 
 @declared

@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sweep of a solid as a node of a tree: all points that a shape or a tree visits as it moves."""
 
+from ..declared.parameters import count, declared, parameter
 from ..later import later
-from ..operand import Operand
-from ..parameters import count, declared, parameter
+from ..shapes.operand import Operand
 from ..solids import Block
 from ..trajectories import Trajectory
 from .rigid import RigidMotion
 
 closed_mesh = later("core.csg.meshes", "closed_mesh")
-GeneralSweep = later("core.general_sweep", "GeneralSweep")
+GeneralSweep = later("core.shapes.general_sweep", "GeneralSweep")
 Triangles = later("core.solids", "Triangles")
 line, shared_hash, shared_equal = (later("core.csg.shared", name) for name in ("line", "hashed", "equal"))
 

@@ -4,10 +4,10 @@
 
 from enum import Enum
 
-from ..frozen import written
+from ..declared.frozen import written
+from ..declared.parameters import declared, parameter, require
 from ..later import later
-from ..operand import Operand
-from ..parameters import declared, parameter, require
+from ..shapes.operand import Operand
 from ..solids import Block
 
 evaluated, inside = later("core.csg.meshes", "evaluated"), later("core.csg.shared", "inside")

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 from ..vectors import cross, dot, norms, unit
 from .triangles import placed
 

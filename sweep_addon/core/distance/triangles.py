@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..rotations import any_normal
+from ..stations.rotations import any_normal
 from ..vectors import cross, dot, norms, unit
 
 INTERIOR, EDGE, VERTEX = (

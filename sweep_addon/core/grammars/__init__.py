@@ -7,9 +7,9 @@ Source
 Prusinkiewicz, Lindenmayer: The Algorithmic Beauty of Plants, 1990, which the language follows.
 """
 
-from .budget import Budget
+from .deriving.budget import Budget
 from .lsystem import LSystem
-from .problems import GrammarError, Problem
+from .text.problems import GrammarError, Problem
 from .word import Word
 
 __all__ = ["Budget", "GrammarError", "LSystem", "Problem", "Word"]

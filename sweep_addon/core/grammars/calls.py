@@ -9,12 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..frozen import frozen
-from ..parameters import ShapeError, require
-from .modules import MOST_PARAMETERS, Alphabet, Letter, Module, paired
-from .passages import Passage, PassageError
-from .problems import GrammarError
-from .productions import EMPTY, patterned
+from ..declared.frozen import frozen
+from ..declared.parameters import ShapeError, require
+from .text.modules import MOST_PARAMETERS, Alphabet, Letter, Module, paired
+from .text.passages import Passage, PassageError
+from .text.problems import GrammarError
+from .text.productions import EMPTY, patterned
 
 
 @frozen

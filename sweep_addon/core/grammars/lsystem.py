@@ -4,13 +4,13 @@
 
 from functools import cached_property
 
-from ..frozen import frozen
-from .constants import Constant
-from .modules import Module
-from .productions import Production
-from .reading import read
-from .statements import Statement
-from .writing import written
+from ..declared.frozen import frozen
+from .deriving.statements import Statement
+from .text.constants import Constant
+from .text.modules import Module
+from .text.productions import Production
+from .text.reading import read
+from .text.writing import written
 
 
 @frozen
@@ -124,7 +124,7 @@ class LSystem:
     @cached_property
     def compiled(self):
         """Its productions as tables of numbers."""
-        from .tables import Tables
+        from .deriving.tables import Tables
 
         return Tables(self)
 
@@ -168,7 +168,7 @@ class LSystem:
         ...     print(refusal)
         generations: must make at most 20,000,000 modules, but 40 make 22,737,367,544,323,205,947,875,976,561
         """
-        from .derivation import derived
+        from .deriving.derivation import derived
 
         generations = self.generations if generations is None else generations
         return derived(self, generations, self.seed if seed is None else seed, budget, progress, environment)
@@ -190,7 +190,7 @@ class LSystem:
         >>> LSystem.parse("axiom: F\\nF -> FF").sizes(200)[-1] == 2**200
         True
         """
-        from .derivation import sizes
+        from .deriving.derivation import sizes
 
         generations = self.generations if generations is None else generations
         return sizes(self, generations, self.seed if seed is None else seed, budget, progress)

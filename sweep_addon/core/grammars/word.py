@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .budget import Budget
+from .deriving.budget import Budget
 
 OF_MODULE = 50  # bytes of all arrays of a figure while it is drawn, for each module of the word
 
@@ -74,7 +74,7 @@ class Word:
         >>> str(word), str(word.interpreted())
         ('IIA', 'FF[+F]')
         """
-        from .interpreting import interpreted
+        from .drawing.interpreting import interpreted
 
         return interpreted(self, budget, progress)
 
@@ -102,7 +102,7 @@ class Word:
         >>> len(koch.start), [round(abs(x), 9) for x in koch.at.tolist()]
         (64, [27.0, 0.0, 0.0])
         """
-        from .turtle import Walk
+        from .drawing.turtle import Walk
 
         told = self.interpreted(budget)
         (budget or Budget()).of_arrays(len(told) * OF_MODULE, "figure")

@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..balls import Balls
-from ..plane import normal_of
+from ..envelopes.balls import Balls
+from ..stations.plane import normal_of
 from ..vectors import dot, norms
 from .bodies import told
 from .hash import Boxes

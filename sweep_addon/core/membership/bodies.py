@@ -4,10 +4,10 @@
 
 import numpy as np
 
+from ..declared.parameters import require
 from ..distance import PseudoNormals, Tree, nearest
-from ..facets import facets
+from ..meshes.facets import facets
 from ..offsets.choices import Side
-from ..parameters import require
 from ..swept.field import Field
 from ..swept.solid import Solid
 from ..swept.visited import Visited

@@ -6,8 +6,8 @@ from numbers import Real
 
 import numpy as np
 
-from ..operand import Operand
-from ..parameters import require
+from ..declared.parameters import require
+from ..shapes.operand import Operand
 from ..vectors import norms
 from .blocks import in_blocks
 from .labels import decided

@@ -9,9 +9,9 @@ no cell is so small: those that are left are asked from several places.
 
 import numpy as np
 
-from ..expressions import compile
-from ..general_sweep import PLACES
-from ..parameters import at, require
+from ..declared.parameters import at, require
+from ..formulas.expressions import compile
+from ..shapes.general_sweep import PLACES
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
 from .hash import Boxes

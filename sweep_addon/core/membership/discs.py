@@ -9,7 +9,7 @@ h may change its sign at once, and the discs turn through x on one ball.
 
 import numpy as np
 
-from ..canal_surface import BallEnd
+from ..shapes.canal_surface import BallEnd
 from ..vectors import dot, norms
 from .balls import CHUNK, BallsBody
 from .hash import Boxes

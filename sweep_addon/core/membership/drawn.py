@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..runs import following
+from ..meshes.runs import following
 from ..vectors import dot, norms, unit
 
 CHUNK = 1 << 18  # pairs of points and edges at a time

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 from ..vectors import dot, norms
 
 CELLS = 3  # of the lattice in the side of a box, as a rule

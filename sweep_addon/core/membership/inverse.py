@@ -4,10 +4,10 @@
 
 import numpy as np
 
-from ..frozen import individual
-from ..operand import Operand
-from ..parameters import require
-from ..wording import titled
+from ..declared.frozen import individual
+from ..declared.parameters import require
+from ..declared.wording import titled
+from ..shapes.operand import Operand
 from .classify import rows_of_three
 from .members import member
 from .moving_plane import SAME, MovingPlane

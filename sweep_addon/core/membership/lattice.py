@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..components import components
-from ..frozen import individual
+from ..declared.frozen import individual
+from ..meshes.components import components
 from ..vectors import norms
 from .hash import portions
 

@@ -8,8 +8,8 @@ makes no difference; else it is what the leaning planes sweep that is continuous
 
 import numpy as np
 
-from ..generalized_cylinder import across, placed
-from ..mitres import fans, legs
+from ..rings.mitres import fans, legs
+from ..shapes.generalized_cylinder import across, placed
 from ..trajectories import Polyline
 from ..trajectories.legs import Cut
 from ..vectors import cross, unit

@@ -16,8 +16,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..frozen import individual
-from ..runs import following
+from ..declared.frozen import individual
+from ..meshes.runs import following
 from ..vectors import dot, norms, unit
 from .hash import portions
 from .lattice import lattice

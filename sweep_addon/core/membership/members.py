@@ -7,20 +7,20 @@ from functools import lru_cache
 import numpy as np
 
 from .. import solids
-from ..canal_surface import BallEnd, CanalSurface
 from ..contours import Circle, Contour, Outline, Rectangle
 from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
-from ..general_sweep import GeneralSweep
-from ..generalized_cylinder import GeneralizedCylinder
-from ..laws import Constant
-from ..motion import Motion
-from ..offset_surface import OffsetSurface
-from ..parameters import at, require, spelled
-from ..pd_curve_sweep import PDCurveSweep
-from ..rotational_sweep import RotationalSweep
-from ..translational_sweep import TranslationalSweep
-from ..wording import titled
+from ..declared.parameters import at, require, spelled
+from ..declared.wording import titled
+from ..shapes.canal_surface import BallEnd, CanalSurface
+from ..shapes.general_sweep import GeneralSweep
+from ..shapes.generalized_cylinder import GeneralizedCylinder
+from ..shapes.offset_surface import OffsetSurface
+from ..shapes.pd_curve_sweep import PDCurveSweep
+from ..shapes.rotational_sweep import RotationalSweep
+from ..shapes.translational_sweep import TranslationalSweep
+from ..variation.laws import Constant
+from ..variation.motion import Motion
 from . import ways
 from .balls import BallsBody
 from .bodies import BallBody, MeshBody, OffsetBody, VisitedBody

@@ -7,7 +7,7 @@ A panel holds channels, quantities that depend on the parameter of the motion, a
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 
 ORDER = 8  # nodes in a panel
 ANGLES = (np.arange(ORDER) + 0.5) * np.pi / ORDER

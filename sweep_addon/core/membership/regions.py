@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..contours import Circle, Ellipse, Fit, Outline, Superellipse, all_fitted
-from ..runs import run_of
+from ..meshes.runs import run_of
 from .loops import Loops
 from .smooth import Disc, Superdisc
 from .strands import Strands

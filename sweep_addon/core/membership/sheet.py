@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..distance import Tree, nearest
-from ..facets import facets
+from ..meshes.facets import facets
 from ..vectors import dot, norms
 from .labels import ON, OUT
 

@@ -9,7 +9,7 @@ in which direction it grows. ``box`` is the least and the greatest x and y.
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 from ..vectors import unit
 
 LEAST = 1e-300  # keeps quotients at a centre finite

@@ -8,19 +8,19 @@ from math import tau
 
 import numpy as np
 
-from ..bending import Bending
 from ..contours import Circle, Fit
 from ..contours.region import Region
-from ..domes import domes_of
-from ..ends import Flat, Open, Round
-from ..frames import axes
-from ..generalized_cylinder import section_of
-from ..limits import Plane
-from ..sampling import stations
-from ..spans import spans
+from ..rings.domes import domes_of
+from ..rings.ends import Flat, Open, Round
+from ..rings.limits import Plane
+from ..shapes.generalized_cylinder import section_of
+from ..shapes.translational_sweep import Reference
+from ..stations.bending import Bending
+from ..stations.frames import axes
+from ..stations.sampling import stations
+from ..stations.spans import spans
 from ..trajectories import Polyline
 from ..trajectories.arc_length import arc_length
-from ..translational_sweep import Reference
 from ..vectors import norms, unit
 from .drawn import Drawn
 from .leaning import Leaning, leans
@@ -179,7 +179,7 @@ def of_pd_curve(shape):
 
 def cut(limits, bending, section, total):
     """How planes limit a way, and how far it goes on beyond its ends."""
-    from ..trimming import followed
+    from ..rings.trimming import followed
 
     _, cuts = followed(limits, spans(bending), section, CUT * total)
     planes, beyond = [], [0.0, 0.0]

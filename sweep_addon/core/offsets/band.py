@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..frozen import individual
-from ..parameters import ShapeError
+from ..declared.frozen import individual
+from ..declared.parameters import ShapeError
 
 COARSEST = 8  # cells along the longest side that the search begins with, or up to twice as many
 MOST_CORNERS = 30_000_000

@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..booleans import arrays, body, hull_body
-from ..components import components
+from ..meshes.booleans import arrays, body, hull_body
+from ..meshes.components import components
 from ..vectors import cross, dot, norms, unit
 from .sphere import spread
 

@@ -8,8 +8,8 @@ edges, the face between them is passed the other way, as in Wenger: Isosurfaces,
 
 import numpy as np
 
-from ..frozen import individual
-from ..parameters import ShapeError
+from ..declared.frozen import individual
+from ..declared.parameters import ShapeError
 from .band import CORNERS
 from .cycles import EDGES, tables
 

@@ -6,14 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..facets import facets
-from ..frozen import individual
-from ..parameters import ShapeError, require
-from ..polyhedron import polyhedron
+from ..declared.frozen import individual
+from ..declared.parameters import ShapeError, require
+from ..declared.wording import shown
+from ..meshes.facets import facets
+from ..meshes.polyhedron import polyhedron
 from ..progress import unheard, within
 from ..resolving.tidying import tidied_arrays
 from ..vectors import cross, dot, norms
-from ..wording import shown
 from .around import Around
 from .band import MOST_CORNERS, TooFineError
 from .choices import Engine, Side

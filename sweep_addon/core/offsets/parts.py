@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..components import components
+from ..meshes.components import components
 from ..vectors import cross, dot, norms, unit
 from .convex import shared_edges
 
@@ -23,7 +23,7 @@ def inward_part(vertices, triangles):
 
     Examples
     --------
-    >>> from ..facets import facets
+    >>> from ..meshes.facets import facets
     >>> from ..solids import Block
     >>> mesh = Block(1.0, 1.0, 1.0).mesh()
     >>> corners, faces = mesh.vertices, facets(mesh)[0]

@@ -4,9 +4,9 @@
 
 import numpy as np
 
-from ..booleans import arrays, body, hull_body, library, united
-from ..components import components
-from ..frozen import individual
+from ..declared.frozen import individual
+from ..meshes.booleans import arrays, body, hull_body, library, united
+from ..meshes.components import components
 from ..progress import unheard
 from ..vectors import dot, norms, unit
 from .convex import shared_edges

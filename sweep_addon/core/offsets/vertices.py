@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 
 
 @individual

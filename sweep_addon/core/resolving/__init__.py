@@ -9,7 +9,7 @@ given to a boolean as it is. What comes near nothing is not given to it at all, 
 (`assembling`).
 """
 
-from ..parameters import parameter
+from ..declared.parameters import parameter
 
 MEETING = "Self-Intersection"
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..frozen import individual
-from ..laying import SIDE
-from ..polyhedron import polyhedron
+from ..declared.frozen import individual
+from ..grids.laying import SIDE
+from ..meshes.polyhedron import polyhedron
+from ..meshes.welding import Selected
 from ..vectors import norms
-from ..welding import Selected
 from .equal_rows import equal_rows
 from .sewing import corners_of, sewn
 from .uncut import uncut

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 from ..vectors import dot, norms
 
 FINE = 4  # chunks to the radius of a contour

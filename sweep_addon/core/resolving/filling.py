@@ -6,11 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
-from .. import caps
 from ..contours.section import Section
-from ..frozen import individual
-from ..runs import following
-from ..triangulate import triangulate
+from ..declared.frozen import individual
+from ..meshes.runs import following
+from ..meshes.triangulate import triangulate
+from ..rings import caps
 from ..vectors import cross, norms, unit
 from .convex_parts import convex_parts
 

@@ -7,9 +7,9 @@ from functools import partial
 
 import numpy as np
 
-from ..booleans import body_of, united
-from ..envelope import Envelope
-from ..polyhedron import polyhedron
+from ..envelopes.envelope import Envelope
+from ..meshes.booleans import body_of, united
+from ..meshes.polyhedron import polyhedron
 from .of_shapes import once
 from .resolve import resolved
 from .tidying import tidied_arrays

@@ -4,11 +4,11 @@
 
 import numpy as np
 
-from .. import caps
-from ..grid import Grid
-from ..mesh import Mesh
-from ..parameters import require
-from ..polyhedron import Bare
+from ..declared.parameters import require
+from ..grids.grid import Grid
+from ..meshes.mesh import Mesh
+from ..meshes.polyhedron import Bare
+from ..rings import caps
 from ..vectors import norms
 from .filling import flat
 from .resolve import resolved

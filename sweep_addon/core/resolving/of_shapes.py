@@ -4,7 +4,7 @@
 
 from dataclasses import replace
 
-from ..booleans import union
+from ..meshes.booleans import union
 from ..self_intersection.places import Places
 from .resolve import closed, resolved
 

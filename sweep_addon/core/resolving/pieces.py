@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..booleans import body, hull_body
-from ..frozen import individual
+from ..declared.frozen import individual
+from ..meshes.booleans import body, hull_body
 from .blocks import blocks
 
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..frozen import individual
+from ..declared.frozen import individual
 
 ROOM = 2  # chunks beside those that come near something, which are given to the boolean too
 NONE = -2  # no chunk, and not the one before the first either

@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..booleans import arrays, united
-from ..parameters import ShapeError, require
+from ..declared.parameters import ShapeError, require
+from ..meshes.booleans import arrays, united
 from ..vectors import dot, unit
 from .assembling import United, assembled
 from .conflicts import chunks

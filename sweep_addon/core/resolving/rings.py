@@ -6,9 +6,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ..frozen import individual
-from ..laying import Layout, kinds
-from ..mesh import Mesh
+from ..declared.frozen import individual
+from ..grids.laying import Layout, kinds
+from ..meshes.mesh import Mesh
 from ..vectors import cross, dot, norms, unit
 
 STILL = 1e-3  # of the step of a contour: a point of it that moves forward by less does not move forward

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..mesh import Topology
+from ..meshes.mesh import Topology
 
 
 def sewn(before, kept, number, others):

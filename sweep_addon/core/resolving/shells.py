@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..components import components
+from ..meshes.components import components
 from ..vectors import cross, dot
 
 SPECK = 1e-9  # of the largest volume

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..booleans import arrays
+from ..meshes.booleans import arrays
 from .absorbing import absorbed
 from .contracting import contracted
 from .drawing_apart import drawn_apart

@@ -6,12 +6,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..cells import bend
 from ..contours import Circle
-from ..ends import Flat, Open
-from ..envelope import Envelope, backward, turned
-from ..generalized_cylinder import GeneralizedCylinder
-from ..grid import Grid
+from ..envelopes.envelope import Envelope, backward, turned
+from ..grids.grid import Grid
+from ..rings.ends import Flat, Open
+from ..shapes.generalized_cylinder import GeneralizedCylinder
+from ..stations.cells import bend
 from ..vectors import norms
 from .cylinders import of_cylinder
 from .detect import ENOUGH, LESS, meeting, meetings

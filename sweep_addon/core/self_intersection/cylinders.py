@@ -6,12 +6,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..bevels import bevels
-from ..cells import bend, cut
 from ..contours import Circle, Fit, fitted
-from ..ends import Flat, Open
-from ..frames import axes
-from ..mitres import legs
+from ..rings.bevels import bevels
+from ..rings.ends import Flat, Open
+from ..rings.mitres import legs
+from ..stations.cells import bend, cut
+from ..stations.frames import axes
 from ..vectors import dot, norms
 from .detect import met, together
 from .folds import between, short_legs

@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from ..search import GOLDEN
+from ..stations.search import GOLDEN
 from ..vectors import dot, norms
 from .cells import any_cross, candidates, crossing, through_face
 from .folds import between

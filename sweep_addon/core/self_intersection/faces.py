@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..laying import kinds
+from ..grids.laying import kinds
 
 
 def faces_of(chart, places):
@@ -24,8 +24,8 @@ def faces_of(chart, places):
     Examples
     --------
     >>> from sweep_addon.core.contours import Circle
-    >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
-    >>> from sweep_addon.core.sampling import Count
+    >>> from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+    >>> from sweep_addon.core.stations.sampling import Count
     >>> from sweep_addon.core.trajectories import Arc
     >>> bend = GeneralizedCylinder(Circle(0.5, points=8), Arc(radius=0.3), Count(5))
     >>> len(faces_of(bend.mesh().chart, bend.self_intersections()))

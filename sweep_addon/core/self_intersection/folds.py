@@ -11,9 +11,9 @@ normal of its plane.
 
 import numpy as np
 
-from ..search import highest
+from ..declared.wording import near
+from ..stations.search import highest
 from ..vectors import dot, norms
-from ..wording import near
 from . import PREFIX
 
 PEAKS = 16

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..grid import Grid
+from ..grids.grid import Grid
 from ..vectors import dot, norms, unit
 
 BANDS = 8  # in the shortest stretches

@@ -4,9 +4,9 @@
 
 import numpy as np
 
-from .. import sampling
-from ..cells import bend
-from ..search import highest
+from ..stations import sampling
+from ..stations.cells import bend
+from ..stations.search import highest
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
 from .folds import folding, in_order, intervals, safe_factor, sentence

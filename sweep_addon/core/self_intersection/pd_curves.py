@@ -7,10 +7,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..cells import bend
 from ..contours import Circle
-from ..generalized_cylinder import GeneralizedCylinder
-from ..limits import Flat, Plane
+from ..rings.limits import Flat, Plane
+from ..shapes.generalized_cylinder import GeneralizedCylinder
+from ..stations.cells import bend
 from ..vectors import cross, norms
 from .cylinders import of_cylinder, support
 from .detect import together

@@ -61,7 +61,7 @@ class Places(Sequence):
     Examples
     --------
     >>> from sweep_addon.core.contours import Circle
-    >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+    >>> from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
     >>> from sweep_addon.core.trajectories import TorusKnot
     >>> knot = TorusKnot(2, 3, major=2.0, minor=0.8)
     >>> found = GeneralizedCylinder(Circle(0.79), knot).self_intersections()
@@ -89,7 +89,7 @@ class Places(Sequence):
         Examples
         --------
         >>> from sweep_addon.core.contours import Circle
-        >>> from sweep_addon.core.generalized_cylinder import GeneralizedCylinder
+        >>> from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
         >>> from sweep_addon.core.trajectories import Line
         >>> GeneralizedCylinder(Circle(0.5), Line()).self_intersections().largest_safe_size
         inf

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..parting import sides
+from ..rings.parting import sides
 from ..vectors import dot
 from .detect import largest, meetings
 from .folds import between

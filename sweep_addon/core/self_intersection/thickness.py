@@ -11,9 +11,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..cells import CELLS
-from ..reach import Reach, reach
-from ..search import highest
+from ..envelopes.reach import Reach, reach
+from ..stations.cells import CELLS
+from ..stations.search import highest
 from ..trajectories.arc_length import arc_length, subdivided
 from ..vectors import dot, norms
 
@@ -38,7 +38,7 @@ def thickest(trajectory):
     --------
     A path that comes back to end one metre from its start, at a right angle to it:
 
-    >>> from sweep_addon.core.corners import Round
+    >>> from sweep_addon.core.rings.corners import Round
     >>> from sweep_addon.core.trajectories import Polyline
     >>> path = [(0, 0, 0), (10, 0, 0), (10, 5, 0), (5, 5, 0), (5, 1, 0)]
     >>> hook = Polyline(path, corner=Round(2.0))

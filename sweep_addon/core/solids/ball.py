@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..operand import Operand
-from ..parameters import count, declared, length
+from ..declared.parameters import count, declared, length
+from ..shapes.operand import Operand
 
 
 @declared
@@ -27,7 +27,7 @@ class Ball(Operand):
 
     def mesh(self):
         """The surface as a `Mesh`."""
-        from ..polyhedron import polyhedron
+        from ..meshes.polyhedron import polyhedron
 
         around, rings = self.points, self.points // 2 - 1
         turn = 2 * np.pi * np.arange(around) / around

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The block, as a solid."""
 
+from ..declared.parameters import declared, length
 from ..later import later
-from ..operand import Operand
-from ..parameters import declared, length
+from ..shapes.operand import Operand
 
 prism = later("core.solids.prism", "prism")
 

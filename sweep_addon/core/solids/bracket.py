@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The bracket, as a solid: an L that has moved along z."""
 
+from ..declared.parameters import declared, length, require
 from ..later import later
-from ..operand import Operand
-from ..parameters import declared, length, require
+from ..shapes.operand import Operand
 
 prism = later("core.solids.prism", "prism")
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cylinder, as a solid."""
 
+from ..declared.parameters import count, declared, length
 from ..later import later
-from ..operand import Operand
-from ..parameters import count, declared, length
+from ..shapes.operand import Operand
 
 prism = later("core.solids.prism", "prism")
 

@@ -4,9 +4,9 @@
 
 import numpy as np
 
+from ..declared.parameters import count, declared, length, require
 from ..later import later
-from ..operand import Operand
-from ..parameters import count, declared, length, require
+from ..shapes.operand import Operand
 
 prism = later("core.solids.prism", "prism")
 

@@ -16,6 +16,6 @@ def prism(contour, height):
     -------
     TranslationalSweep
     """
-    from ..translational_sweep import TranslationalSweep  # shapes have solids as parameters
+    from ..shapes.translational_sweep import TranslationalSweep  # shapes have solids as parameters
 
     return TranslationalSweep(contour, height=height, directions="symmetric", texture="none", attributes=False)

@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..operand import Operand
-from ..parameters import Array, declared, parameter, require
+from ..declared.parameters import Array, declared, parameter, require
+from ..shapes.operand import Operand
 
 MOST = 1_000_000  # vertices, and triangles
 TETRAHEDRON = ((0.0, 0.0, 0.3), (0.3, 0.0, -0.1), (-0.15, 0.26, -0.1), (-0.15, -0.26, -0.1))
@@ -38,7 +38,7 @@ class Triangles(Operand):
     @classmethod
     def of(cls, mesh):
         """The triangles of a `Mesh`, its larger faces cut into several."""
-        from ..facets import facets
+        from ..meshes.facets import facets
 
         return cls(mesh.vertices, facets(mesh)[0])
 
@@ -48,6 +48,6 @@ class Triangles(Operand):
 
     def mesh(self):
         """The triangles as a `Mesh`."""
-        from ..polyhedron import polyhedron
+        from ..meshes.polyhedron import polyhedron
 
         return polyhedron(self.vertices.values, self.faces.values.astype(np.int32))

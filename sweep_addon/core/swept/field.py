@@ -6,9 +6,9 @@ from functools import cached_property
 
 import numpy as np
 
+from ..declared.frozen import individual
 from ..distance import PseudoNormals, Tree, nearest
-from ..facets import facets
-from ..frozen import individual
+from ..meshes.facets import facets
 from ..vectors import unit
 
 MOST = 300_000  # nodes of the lattice

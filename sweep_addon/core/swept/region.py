@@ -9,10 +9,10 @@ from functools import cached_property
 
 import numpy as np
 
+from ..declared.parameters import require
+from ..meshes.polyhedron import polyhedron
 from ..offsets.any_field import AnyField
 from ..offsets.level_set import level_set
-from ..parameters import require
-from ..polyhedron import polyhedron
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms, unit
 from .planar import raised

@@ -6,11 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
+from ..declared.parameters import ShapeError, require
+from ..meshes.polyhedron import polyhedron
+from ..meshes.runs import backward
 from ..offsets.dual import TornError
 from ..offsets.level_set import level_set
-from ..parameters import ShapeError, require
-from ..polyhedron import polyhedron
-from ..runs import backward
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
 from .field import Field

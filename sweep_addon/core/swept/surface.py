@@ -6,11 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
-from ..ends import Flat
-from ..grid import Grid
-from ..parameters import ShapeError, require
-from ..polyhedron import polyhedron
-from ..runs import backward
+from ..declared.parameters import ShapeError, require
+from ..grids.grid import Grid
+from ..meshes.polyhedron import polyhedron
+from ..meshes.runs import backward
+from ..rings.ends import Flat
 
 
 class Surface:

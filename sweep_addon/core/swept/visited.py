@@ -11,8 +11,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..motion import Poses
 from ..offsets.any_field import AnyField
+from ..variation.motion import Poses
 from ..vectors import dot, norms, unit
 
 FAN = 4  # parts of a stretch

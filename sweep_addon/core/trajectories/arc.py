@@ -6,7 +6,7 @@ from math import pi, tau
 
 import numpy as np
 
-from ..parameters import angle, declared, length
+from ..declared.parameters import angle, declared, length
 from .curve import Trajectory
 
 WHOLE = 2e-5  # radians: an arc this near to a full turn is one, as 6.2832 is meant to be

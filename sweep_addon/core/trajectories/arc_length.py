@@ -6,8 +6,8 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ..chebyshev import angles, fitting, summed
-from ..parameters import require
+from ..declared.parameters import require
+from ..stations.chebyshev import angles, fitting, summed
 
 # Gauss-Legendre quadrature with five nodes; numpy.polynomial, which knows them too, takes 3 ms to import.
 INNER, OUTER = np.sqrt(5 - 2 * np.sqrt(10 / 7)) / 3, np.sqrt(5 + 2 * np.sqrt(10 / 7)) / 3

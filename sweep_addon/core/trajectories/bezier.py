@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..parameters import Array, ShapeError, declared, parameter, points, require
+from ..declared.parameters import Array, ShapeError, declared, parameter, points, require
 from .chain import Chain
 
 NEAR_ZERO = 1e-9

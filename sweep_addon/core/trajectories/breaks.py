@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..parameters import ShapeError
+from ..declared.parameters import ShapeError
 from ..vectors import dot, unit
 from .arc_length import NODES, WEIGHTS, subdivided
 

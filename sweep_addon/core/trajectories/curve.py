@@ -6,8 +6,8 @@ from math import cos, radians
 
 import numpy as np
 
+from ..declared.parameters import Array, require
 from ..later import later
-from ..parameters import Array, require
 from ..vectors import norms, unit
 
 arc_length = later("core.trajectories.arc_length", "arc_length")

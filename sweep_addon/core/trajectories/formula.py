@@ -8,12 +8,12 @@ from math import tau
 
 import numpy as np
 
+from ..declared.parameters import LARGEST, ShapeError, at, declared, parameter, require
 from ..later import later
-from ..parameters import LARGEST, ShapeError, at, declared, parameter, require
 from .curve import Trajectory
 
-compile = later("core.expressions", "compile")
-Jet = later("core.jets", "Jet")
+compile = later("core.formulas.expressions", "compile")
+Jet = later("core.formulas.jets", "Jet")
 breaks = later("core.trajectories.breaks", "breaks")
 
 MEETING = 1e-5  # of the size: ends closer than this are one, for nobody writes all the digits of a turn

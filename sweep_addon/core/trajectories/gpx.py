@@ -7,8 +7,8 @@ The format is three attributes of one element, so the standard library's parser 
 
 import numpy as np
 
-from ..documents import about, content, parsed, plain
-from ..parameters import LARGEST, ShapeError, require
+from ..declared.documents import about, content, parsed, plain
+from ..declared.parameters import LARGEST, ShapeError, require
 from .table import LARGEST_FILE, number, through
 
 EQUATOR, FLATTENING = 6_378_137.0, 1 / 298.257223563  # WGS84: metres

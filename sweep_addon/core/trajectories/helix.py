@@ -6,7 +6,7 @@ from math import hypot, pi, tau
 
 import numpy as np
 
-from ..parameters import declared, length, parameter, require
+from ..declared.parameters import declared, length, parameter, require
 from .curve import Trajectory
 
 FLAT = 1e-6  # of the radius: less rise is none in single precision

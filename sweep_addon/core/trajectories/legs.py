@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..frozen import frozen, individual
-from ..parameters import Array
+from ..declared.frozen import frozen, individual
+from ..declared.parameters import Array
 from ..vectors import norms, unit
 from .curve import NONE, SAME_DIRECTION, Trajectory
 

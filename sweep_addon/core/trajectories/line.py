@@ -6,7 +6,7 @@ from math import dist
 
 import numpy as np
 
-from ..parameters import declared, parameter, require
+from ..declared.parameters import declared, parameter, require
 from .curve import Trajectory
 
 

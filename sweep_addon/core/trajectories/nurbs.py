@@ -6,7 +6,7 @@ from math import comb
 
 import numpy as np
 
-from ..parameters import Array, count, declared, parameter, points, require
+from ..declared.parameters import Array, count, declared, parameter, points, require
 from .curve import Trajectory
 
 MOST = 50_000  # control points up to order 4, for which a few seconds are enough

@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..corners import UNLIMITED, Corner, Mitre, Round
-from ..parameters import Array, ShapeError, declared, parameter, parameters, points, require
+from ..declared.parameters import Array, ShapeError, declared, parameter, parameters, points, require
+from ..rings.corners import UNLIMITED, Corner, Mitre, Round
 from ..vectors import dot, unit
 from .curve import NONE, SHARPEST
 from .legs import Cut, Legs

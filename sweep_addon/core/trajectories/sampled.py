@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
+from ..declared.parameters import Array, declared, parameter, points, require
 from ..later import later
-from ..parameters import Array, declared, parameter, points, require
 from .chain import Chain
 
 derivatives = later("core.trajectories.neighbours", "derivatives")

@@ -7,8 +7,8 @@ from math import isfinite, nan
 
 import numpy as np
 
-from ..documents import about, content
-from ..parameters import ShapeError, require
+from ..declared.documents import about, content
+from ..declared.parameters import ShapeError, require
 from .sampled import Sampled
 
 LARGEST_FILE = 50_000_000  # bytes

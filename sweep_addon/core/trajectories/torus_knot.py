@@ -6,7 +6,7 @@ from math import gcd, tau
 
 import numpy as np
 
-from ..parameters import count, declared, length, require
+from ..declared.parameters import count, declared, length, require
 from .curve import Trajectory
 
 

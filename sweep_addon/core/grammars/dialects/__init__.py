@@ -9,7 +9,7 @@ import re
 from dataclasses import replace
 from importlib import import_module
 
-from ..problems import GrammarError
+from ..text.problems import GrammarError
 
 QUOTED = re.compile(r"'([^']+)'")
 NAMED = re.compile(r"^[ \t]*#dialect[ \t]+(\w+)[ \t]*(?:#.*)?$", re.MULTILINE)

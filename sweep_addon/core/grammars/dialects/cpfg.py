@@ -10,11 +10,11 @@ vlab, which is free. The lines of a view file may stand in the same text.
 
 import re
 
-from ..modules import ENVIRONMENT, QUERIES
-from ..passages import Passage, PassageError, shown
-from ..productions import around
-from ..statements import assigned
-from ..subsystems import BEGINS
+from ..deriving.statements import assigned
+from ..deriving.subsystems import BEGINS
+from ..text.modules import ENVIRONMENT, QUERIES
+from ..text.passages import Passage, PassageError, shown
+from ..text.productions import around
 from .local import Locals, parted
 from .pasting import DEFINED, Pasting, joined, uncommented
 from .words import last_outside, modules, outside, unknown

@@ -10,7 +10,7 @@ two headings, of which a text may use one.
 
 import re
 
-from ..passages import Passage, PassageError, shown
+from ..text.passages import Passage, PassageError, shown
 
 LINE = re.compile(r"(ANGLE)\s+(?P<parts>\d{1,4})|(AXIOM)\s+(?P<word>\S.*)|(?P<left>\S)\s*=(?P<right>.*)")
 DEGREES = re.compile(r"[\\/](\d+(?:\.\d*)?|\.\d+)")

@@ -10,9 +10,9 @@ book turn left, down and to the left.
 
 import re
 
-from ..draws import DRAWS
-from ..passages import Passage, PassageError, shown
-from ..productions import around
+from ..deriving.draws import DRAWS
+from ..text.passages import Passage, PassageError, shown
+from ..text.productions import around
 from .words import last_outside, modules, outside, unknown
 
 WORDS = re.compile(r"[A-Za-z]+(?: +[A-Za-z]+)* *\d*")  # before the colon of a setting

@@ -4,7 +4,7 @@
 
 import re
 
-from ..passages import shown
+from ..text.passages import shown
 from .pasting import LONGEST
 
 NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*", re.ASCII)

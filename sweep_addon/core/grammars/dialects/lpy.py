@@ -13,10 +13,10 @@ It takes widths as radii, turns by 60 degrees where nothing is said, and derives
 
 import re
 
-from ..modules import NAME
-from ..passages import Passage, PassageError, shown
-from ..productions import around
-from ..turtle import EDGE
+from ..drawing.turtle import EDGE
+from ..text.modules import NAME
+from ..text.passages import Passage, PassageError, shown
+from ..text.productions import around
 from .words import modules, outside, unknown
 
 DECLARED = re.compile(r"module\s+(.+)")

@@ -4,7 +4,7 @@
 
 import re
 
-from ..passages import Passage, shown
+from ..text.passages import Passage, shown
 
 COMMENT = re.compile(r"/[*/]")
 DEFINED = re.compile(r"\s*#\s*define\s+([A-Za-z_]\w*)(\(([^()]*)\))?\s*(.*)", re.DOTALL)

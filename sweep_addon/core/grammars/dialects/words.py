@@ -5,8 +5,8 @@
 import re
 from typing import NamedTuple
 
-from ..modules import bracketed
-from ..passages import Passage, shown
+from ..text.modules import bracketed
+from ..text.passages import Passage, shown
 
 PRINTED = re.compile("[!-~]")
 

@@ -1,0 +1,179 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rotations as quaternions of two complex numbers, and their products along the branches of a tree.
+
+A quaternion a + bi + cj + dk is z + wj with z = a + bi and w = c + di. It turns the axes x, y, z to the turtle's
+heading, its left and its up.
+"""
+
+import numpy as np
+
+from ..deriving.neighbours import narrow
+
+LONG = 32  # rotations in a row that are multiplied one by one
+FEW = 300  # tokens in a wave below which blocks of waves are quicker
+UPRIGHT = 1e-12  # of the sine between heading and up, below which nothing is level
+
+
+def unit(degrees):
+    """(n,) complex array: cosine and sine of angles in degrees, exact for quarters of a turn."""
+    degrees = np.asarray(degrees, dtype=np.float64)
+    quarter = np.rint(degrees / 90)
+    angle = np.radians(degrees - 90 * quarter)
+    found = np.empty(angle.shape, dtype=complex)
+    found.real, found.imag = np.cos(angle), np.sin(angle)
+    return found * QUARTERS[np.mod(quarter, 4).astype(np.intp)]
+
+
+QUARTERS = np.array([1, 1j, -1, -1j])
+
+
+def rotation(axis, degrees):
+    """The quaternions that turn about an axis: 0 is the heading, 1 the left, 2 up."""
+    half = unit(np.asarray(degrees, dtype=np.float64) / 2)
+    if axis == 0:
+        return half, np.zeros_like(half)
+    return half.real + 0j, half.imag * (1 + 0j if axis == 1 else 1j)
+
+
+def product(first, second):
+    """The quaternions that turn by the second in the axes of the first."""
+    (z1, w1), (z2, w2) = first, second
+    return z1 * z2 - w1 * np.conj(w2), z1 * w2 + w1 * np.conj(z2)
+
+
+def heading(z, w):
+    """The first axis: its x, and y + iz."""
+    return z.real**2 + z.imag**2 - w.real**2 - w.imag**2, -2j * z * w
+
+
+def axes(z, w):
+    """(n, 3, 3) float array: heading, left and up as rows."""
+    a, b, c, d = z.real, z.imag, w.real, w.imag
+    rows = [
+        [a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)],
+        [2 * (b * c - a * d), a * a - b * b + c * c - d * d, 2 * (c * d + a * b)],
+        [2 * (b * d + a * c), 2 * (c * d - a * b), a * a - b * b - c * c + d * d],
+    ]
+    return np.array(rows).transpose(2, 0, 1)
+
+
+def products_of_runs(z, w, run, count):
+    """The products of the rotations of each run; none where a run is empty.
+
+    Parameters
+    ----------
+    z, w : (n,) complex array
+    run : (n,) int array
+        The run of each, not falling.
+    count : int
+        How many runs there are.
+    """
+    while True:
+        starts = np.flatnonzero(np.diff(run, prepend=-1))
+        lengths = np.diff(np.append(starts, len(run)))
+        if lengths.max(initial=0) <= LONG:
+            break
+        place = np.arange(len(run)) - np.repeat(starts, lengths)
+        second = np.flatnonzero(place % 2)  # pair by pair, so that long runs take few rounds
+        z[second - 1], w[second - 1] = product(taken((z, w), second - 1), taken((z, w), second))
+        z, w, run = z[place % 2 == 0], w[place % 2 == 0], run[place % 2 == 0]
+    whole = np.ones(count, dtype=complex), np.zeros(count, dtype=complex)
+    whole[0][run[starts]], whole[1][run[starts]] = z[starts], w[starts]
+    for number in range(1, int(lengths.max(initial=0))):
+        starts, lengths = starts[lengths > number], lengths[lengths > number]
+        of = run[starts]
+        whole[0][of], whole[1][of] = product(taken(whole, of), taken((z, w), starts + number))
+    return whole
+
+
+def level(z, w):
+    """Roll about the heading until the left is level."""
+    side = np.conj(z) ** 2 - w**2
+    size = np.abs(side)
+    half = np.sqrt(np.where(size < UPRIGHT, 1, side) / np.where(size < UPRIGHT, 1, size))
+    return z * half, w * np.conj(half)
+
+
+def bent(z, w, towards, ease):
+    """Turn the heading towards a direction, its x and y + iz, by the sine between them times the ease, in radians."""
+    x, yz = heading(z, w)
+    tx, tyz = towards
+    across = yz * tyz.conjugate()
+    axis_x = -across.imag
+    axis_yz = -1j * (tx * yz - x * tyz)
+    size = np.sqrt(axis_x**2 + axis_yz.real**2 + axis_yz.imag**2)
+    sine = np.sin(ease * size / 2) / np.where(size > 0, size, 1)
+    turn = np.cos(ease * size / 2) + 1j * sine * axis_x, sine * axis_yz
+    return product(turn, (z, w))
+
+
+def along_paths(relative, parent, depth, start, change=None):
+    """The orientation at each token, of the rotations on its way from the root.
+
+    Parameters
+    ----------
+    relative : pair of (n,) complex array
+        The rotation of each token in the axes that the token before it leaves.
+    parent : (n,) int array
+        The token before, or -1.
+    depth : (n,) int array
+        How many tokens are before it on its way.
+    start : pair of complex
+        The orientation at the root.
+    change : callable, optional
+        What happens at tokens beside their rotation: takes places and orientations, and returns the orientations at
+        the tokens and those that they leave.
+
+    Returns
+    -------
+    pair of (n,) complex array
+    """
+    if not len(parent):
+        return relative
+    waves = int(depth.max()) + 1
+    if change is None and len(parent) < FEW * waves:
+        return by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves))))
+    order, stops = np.argsort(narrow(depth), kind="stable"), np.cumsum(np.bincount(depth)).tolist()
+    rank = np.empty(len(parent) + 1, dtype=np.intp)
+    rank[order], rank[-1] = np.arange(len(parent)), len(parent)
+    above, relative = rank[parent[order]], taken(relative, order)  # so that each wave stands in a row
+    left = empty(len(parent) + 1)
+    found = left if change is None else empty(len(parent))
+    left[0][-1], left[1][-1] = start
+    for wave in map(slice, [0, *stops], stops):
+        turned = product(taken(left, above[wave]), taken(relative, wave))
+        if change is not None:
+            turned, leaves = change(order[wave], *turned)
+            left[0][wave], left[1][wave] = leaves
+        found[0][wave], found[1][wave] = turned
+    return taken(found, rank[:-1])
+
+
+def by_blocks(relative, parent, depth, start, size):
+    """The same for long paths: products within blocks of so many tokens in all blocks at once, and then of blocks."""
+    block, place = np.divmod(depth, size)
+    count = len(parent)
+    within = (relative[0].copy(), relative[1].copy())
+    anchor = parent.copy()  # the token before the first one of the same block
+    order = np.argsort(narrow(place), kind="stable")
+    waves = np.split(order, np.cumsum(np.bincount(place))[:-1])
+    for wave in waves[1:]:
+        before = parent[wave]
+        within[0][wave], within[1][wave] = product(taken(within, before), taken(relative, wave))
+        anchor[wave] = anchor[before]
+    whole = empty(count + 1)
+    whole[0][-1], whole[1][-1] = start
+    last = np.flatnonzero(place == size - 1)
+    order = last[np.argsort(narrow(block[last]), kind="stable")]
+    for wave in np.split(order, np.cumsum(np.bincount(block[last]))[:-1]) if len(last) else ():
+        whole[0][wave], whole[1][wave] = product(taken(whole, anchor[wave]), taken(within, wave))
+    return product(taken(whole, anchor), within)
+
+
+def empty(count):
+    return np.empty(count, dtype=complex), np.empty(count, dtype=complex)
+
+
+def taken(pair, places):
+    return pair[0][places], pair[1][places]

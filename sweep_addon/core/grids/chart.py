@@ -1,0 +1,179 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
+
+from functools import cached_property
+
+import numpy as np
+
+from ..declared.digest import checksum
+from ..declared.frozen import individual
+from ..meshes.runs import backward, run_of
+from ..vectors import product
+from .grid import Grid
+from .texture import Texture
+
+
+@individual
+class Chart:
+    """Where on a sweep its vertices and corners lie: the source of texture coordinates and named attributes.
+
+    Parameters
+    ----------
+    grid : Grid
+    u : (n,) float array
+        The trajectory's parameter at each station.
+    s : (n,) float array
+        The arc length at each station, in metres.
+    total : float
+        The arc length of the whole trajectory, where a closed one meets itself again.
+    around : (m + k,) float array
+        The length round the contour at each point, loop after loop, each loop with its end.
+    ends : tuple of two (m, 2) float arrays
+        The section as it stands at the start and at the end, in metres.
+    texture : Texture
+    named : bool
+        Whether vertices have named attributes.
+    """
+
+    grid: Grid
+    u: np.ndarray
+    s: np.ndarray
+    total: float
+    around: np.ndarray
+    ends: tuple
+    texture: Texture = Texture.LENGTHS
+    named: bool = True
+
+    @cached_property
+    def keys(self):
+        """Three short texts that differ where the texture, and attributes along and across, do; empty for none."""
+        along, across = checksum(self.u, self.s), checksum(self.around, *self.ends)
+        texture = "" if self.texture is Texture.NONE else self.texture.name + along + across
+        return (texture, along, across) if self.named else (texture, "", "")
+
+    @property
+    def rings(self):
+        """How many contours stand along the trajectory."""
+        return self.grid.rings
+
+    @property
+    def extent(self):
+        """From which arc length the texture goes to which, with a dome beyond the path: two floats."""
+        return self.s[0], max(self.total, self.s[-1])
+
+    def columns(self):
+        """The length round the contour where each column's face starts and where it ends: two (m,)."""
+        offsets = np.array(self.grid.offsets)
+        loop = run_of(offsets)
+        start = np.arange(self.grid.columns) + loop
+        return self.around[start], self.around[start + 1]
+
+    def uv(self, dtype=np.float64, empty=np.empty):
+        """Texture coordinates of each corner, along the trajectory and round the contour: (c, 2), or None for none.
+
+        They are written into what ``empty`` gives for a number of elements and a dtype.
+        """
+        if self.texture is Texture.NONE:
+            return None
+        _, below, above = self.grid.bands()
+        low, high, left, right = self.strip()
+        sides = np.stack((np.ones_like(left), left, right), axis=1).astype(dtype)
+        sides = [np.ascontiguousarray(sides[columns]) for columns in self.grid.strips]
+        middle, every = (low + high) / 2, np.full(len(low), True)
+        kinds = (
+            (sides[0], ~below & ~above, (low, low, high, high), (0, 1, 1, 0)),
+            (sides[0], above & ~below, (low, low, high), (0, 1, 0.5)),
+            (sides[0], below & ~above, (low, high, high), (0.5, 1, 0)),
+            (sides[1], every, (middle, low, high), (0, 1, 1)),
+            (sides[2], every, (low, middle, high), (0, 1, 0)),
+        )
+        kinds = [kind for kind in kinds if len(kind[0])]
+        widths = [2 * len(shares) * np.count_nonzero(chosen) for _, chosen, _, shares in kinds]
+        caps = list(self.cap_uv(dtype))
+        corners = sum(len(sides) * width for (sides, *_), width in zip(kinds, widths, strict=True))
+        uv = empty(corners + sum(cap.size for cap in caps), dtype)
+        start = 0
+        for (sides, chosen, along, shares), width in zip(kinds, widths, strict=True):
+            # One matrix product lays all corners: along the trajectory + left + right, each by its share.
+            rows = np.zeros((3, width // (2 * len(shares)), len(shares), 2), dtype)
+            rows[0, ..., 0] = np.stack([end[chosen] for end in along], axis=-1)
+            rows[1, ..., 1], rows[2, ..., 1] = 1 - np.array(shares), shares
+            part = uv[start : start + len(sides) * width].reshape(len(sides), width)
+            product(sides, rows.reshape(3, width), part)
+            start += part.size
+        uv[start:] = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in caps)])
+        return uv.reshape(-1, 2)
+
+    def strip(self):
+        """Where each band starts and ends along the texture, two (b,), and each column's face across it, two (m,).
+
+        Across it a loop is measured from its end, or pictures would be seen in a mirror.
+        """
+        low, high = self.s[self.grid.bands()[0]].T
+        high = np.where(high > low, high, self.total)
+        offsets = np.array(self.grid.offsets)
+        loop = run_of(offsets)
+        start, end = self.around[offsets[loop] + loop], self.around[offsets[loop + 1] + loop]
+        left, right = (end - side for side in self.columns())
+        if self.texture is Texture.LENGTHS:
+            return low, high, start + left, start + right
+        first, last = self.extent
+        low, high = (low - first) / (last - first), (high - first) / (last - first)
+        return low, high, left / (end - start), right / (end - start)
+
+    def cap_uv(self, dtype):
+        """The caps lie flat beside the strip, before its start and after its end; as a unit each has one of its own."""
+        lengths = self.texture is Texture.LENGTHS
+        gap, (first, last) = 0.05 * self.total, self.extent
+        before, after = (min(first, 0.0) - gap, max(last, self.total) + gap) if lengths else (1.0, 0.0)
+        for cap, section, end in zip(self.grid.caps, self.ends, (0, 1), strict=True):
+            if cap is None:
+                continue
+            points, offsets = (np.array(part) for part in cap)
+            flat = section - section.min(axis=0)
+            flat = flat if lengths else flat / flat.max()
+            if end == 0:
+                points = points[backward(offsets)]
+                flat = flat * (-1, 1) + (before, 0)
+            else:
+                flat = flat + (after, 0)
+            yield flat[points].astype(dtype)
+
+    def along(self, dtype=np.float64):
+        """Values at each vertex that depend on its station: u and arc_length."""
+        if not self.named:
+            return {}
+        whole, tips = self.grid.whole, list(self.grid.tips)
+        return {
+            name: self.spread(values[whole], values[tips], values[0], dtype)
+            for name, values in (("u", self.u), ("arc_length", self.s))
+        }
+
+    def across(self, dtype=np.float64):
+        """Values at each vertex that depend on its place on the contour: v, the length round it."""
+        if not self.named:
+            return {}
+        start, _ = self.columns()
+        return {"v": self.spread(start[self.grid.lines, None], 0.0, start[list(self.grid.poles)], dtype)}
+
+    def spread(self, lines, tips, poles, dtype):
+        """A value at each vertex, from one for each ring or each column of lines, one at tips and one at poles."""
+        shape = len(self.grid.lines), len(self.grid.whole)
+        parts = np.cumsum((shape[0] * shape[1], len(self.grid.tips), len(self.grid.poles)))
+        values = np.empty(parts[-1], dtype)
+        values[: parts[0]].reshape(shape)[:] = lines
+        values[parts[0] : parts[1]], values[parts[1] :] = tips, poles
+        return values
+
+
+def lengths_around(section, scale):
+    """The length round a section at each point, loop after loop, each loop with its end: (m + k,) float array.
+
+    The loops lie side by side, none over another; scale, (2,), stretches the section's axes.
+    """
+    edges = np.linalg.norm((section.points[section.following] - section.points) * scale, axis=1)
+    edges[section.gaps] = 0.0
+    reached = np.concatenate(([0.0], np.cumsum(edges)))
+    parts = [reached[start : end + 1] for start, end in zip(section.offsets[:-1], section.offsets[1:], strict=True)]
+    return np.concatenate(parts)

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The vertices of a sweep, in the order of its grid."""
+
+import numpy as np
+
+from ..declared.parameters import require
+from ..vectors import product
+
+
+def drawn(grid, weights, rings, dtype):
+    """The vertices, column by column, then tips, then poles: one matrix product of the section with the rings.
+
+    Parameters
+    ----------
+    grid : Grid
+    weights : (m, k) float array
+        What each point of the section is made of: 1 and its coordinates, see `affine`, or more.
+    rings : (k, n, 3) float array
+        What has these weights at each station: the place of the section's origin, its axes, or more.
+    dtype : numpy dtype
+
+        Single or double precision; anything else is refused.
+
+    Returns
+    -------
+    (v, 3) array
+    """
+    require_precise(dtype)
+    whole = rings[:, grid.whole] if grid.tips else rings
+    lines = weights[grid.lines] if grid.poles else weights
+    ringed = len(lines) * whole.shape[1]
+    vertices = np.empty((ringed + len(grid.tips) + len(grid.poles), 3), dtype)
+    axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
+    product(lines.astype(dtype, order="C"), axes, vertices[:ringed].reshape(len(lines), -1))
+    vertices[ringed:] = np.concatenate((rings[0, list(grid.tips)], weights[list(grid.poles)] @ rings[:, 0]))
+    return vertices
+
+
+def affine(points):
+    """The weights of points that a place and two axes carry: (m, 3) float array of 1, x and y."""
+    return np.column_stack((np.ones(len(points)), points))
+
+
+def require_precise(dtype):
+    """Refuse vertices in anything but single or double precision: in whole numbers all would be cut off."""
+    try:
+        precise = np.dtype(dtype) in (np.float32, np.float64)
+    except TypeError:
+        precise = False
+    require(precise, "must be float32 or float64", dtype, "dtype")

@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Growing: from the parameters of a plant to its mesh; what the last one needed is kept for the next."""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from ..declared.grammar_text import Grammar, Values
+from ..declared.parameters import ShapeError
+from ..grammars import Budget, GrammarError, LSystem
+from ..grammars.deriving.budget import sized
+from ..grammars.deriving.growth import bounds, foretold
+from ..grammars.meshing.chart import Skin
+
+NONE = Values()
+QUICK, MOMENT = 400_000, 1.0  # modules, and seconds, up to which a word is derived while somebody waits
+BYTES = 50  # of a module of a word, as many as the default budget allows
+DERIVED, DRAWN = 0.5, 0.7  # parts of the work
+
+
+def read(text, constants=NONE):
+    """The system of a text, with values for some of its constants."""
+    found = tried(text, constants)
+    if isinstance(found, ShapeError):
+        raise found.with_traceback(None)
+    return found
+
+
+@lru_cache(maxsize=16)
+def tried(text, constants):
+    """The system of a text, or its refusal: the sidebar asks with each draw, whatever somebody has written."""
+    try:
+        return LSystem.parse(str(text), dict(constants))
+    except ShapeError as refusal:
+        return refusal
+
+
+def problems(text):
+    """What is wrong in a text, line by line: a tuple of Problem."""
+    try:
+        read(text)
+    except GrammarError as refusal:
+        return refusal.problems
+    return ()
+
+
+def free(text):
+    """The constants of a text that need no others, by name: those that people may turn at will."""
+    return {constant.name: constant for constant in read(text).constants if not constant.formula.names}
+
+
+def followed(text):
+    """The numbers that a text says by constants, which alone turn them: their names.
+
+    >>> followed(Grammar("#define a 20\\n#angle a\\n#step 2\\naxiom: F"))
+    {'angle'}
+    """
+    return {name for name, _, _ in read(text).following}
+
+
+def other(text, constants):
+    """Those of some values that are not what the text says anyway."""
+    plain = {name: constant.value for name, constant in free(text).items()}
+    order = [constant.name for constant in read(text).constants]
+    return Values({name: constants[name] for name in order if name in constants and plain.get(name) != constants[name]})
+
+
+def system(plant):
+    """The system of a plant, with the plant's own numbers."""
+    found = read(plant.system, plant.constants)
+    own = {name: getattr(plant, name) for name in ("angle", "step", "width")}
+    return replace(found, **own) if any(getattr(found, name) != value for name, value in own.items()) else found
+
+
+def takes_long(plant):
+    """Whether the word of a plant is too long to be derived while somebody drags a slider."""
+    sizes, limits = known(plant.system, plant.constants, plant.generations)
+    if sizes:
+        return QUICK < max(sizes) <= plant.budget
+    if limits and limits[0] > plant.budget:
+        return False  # it is refused at once
+    return quick(*asked(plant)) is None
+
+
+@lru_cache(maxsize=16)
+def known(text, constants, generations):
+    """What is known of the sizes of words before they are derived: those of all generations, or limits, or neither."""
+    tables = read(text, constants).compiled
+    sizes = foretold(tables, generations)
+    return sizes, None if sizes else bounds(tables, generations)
+
+
+def asked(plant):
+    """What the word of a plant hangs on."""
+    return told(plant), plant.constants, plant.generations, plant.seed, plant.budget
+
+
+def told(plant):
+    """The text of a plant; where it asks a turtle, whose answers hang on the plant's own numbers, with these."""
+    if not read(plant.system, plant.constants).compiled.queries:
+        return plant.system
+    heading = {None: system(plant).heading, True: "z", False: "x"}[plant.upright.upright]
+    return Grammar(replace(system(plant), heading=heading))
+
+
+@lru_cache(maxsize=2)
+def quick(text, constants, generations, seed, budget):
+    """The word of a text, which is kept for further meshes of it; None where it is long.
+
+    What its system says of angles, lengths and widths does not count for it.
+    """
+    try:
+        return read(text, constants).derive(generations, seed, Budget(min(budget, QUICK), seconds=MOMENT))
+    except ShapeError as refusal:
+        if refusal.key != "generations" or budget <= QUICK:
+            raise
+        return None
+
+
+@lru_cache(maxsize=1)
+def figure(text, constants, generations, seed, budget, system, upright):
+    """What the turtle of a system draws of a word that is not long."""
+    return drawn(quick(text, constants, generations, seed, budget), budget, system, upright)
+
+
+def drawn(word, budget, system, upright):
+    """What the turtle of a system draws of a word."""
+    return word.figure(upright, within(budget), system)
+
+
+def mesh(plant, dtype):
+    """The mesh of a plant; `Plant.mesh` says of what."""
+    return skinned(shown(plant), plant, dtype)
+
+
+def axes(plant):
+    """The poly-lines of a plant; `Plant.axes` says of what."""
+    skin = Skin(shown(plant))
+    return skin.points, skin.radius, np.append(skin.first, skin.rings)
+
+
+def made(plant, progress, dtype=np.float64):
+    """The mesh of a plant that takes long, told of as far as it is."""
+    figure = at_length(plant, progress)
+    progress(DRAWN)
+    skin = skinned(figure, plant, dtype)
+    progress(1.0)
+    return skin
+
+
+def shown(plant):
+    """The figure of a plant, which is kept where its word is not long."""
+    if takes_long(plant) or quick(*asked(plant)) is None:
+        return at_length(plant, lambda part: None)
+    return figure(*asked(plant), system(plant), plant.upright.upright)
+
+
+def at_length(plant, progress):
+    """The figure of a plant whose word may be long."""
+    grown = read(told(plant), plant.constants)
+    word = grown.derive(plant.generations, plant.seed, within(plant.budget), lambda part: progress(DERIVED * part))
+    return drawn(word, plant.budget, system(plant), plant.upright.upright)
+
+
+def skinned(figure, plant, dtype):
+    """The mesh of a figure as a plant asks for it."""
+    sides, budget = getattr(plant.output, "sides", 0), within(plant.budget)
+    return figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
+
+
+def within(modules):
+    """The budget of words of so many modules, and of what is drawn of them."""
+    return Budget(modules, max(Budget().bytes, BYTES * modules))
+
+
+def size(plant):
+    """How many modules the word of a plant will have, before anything is derived: a sentence."""
+    here, more = plant.generations, plant.generations + 1
+    sizes, _ = known(plant.system, plant.constants, more)
+    if sizes and len(sizes) > more:
+        return f"{sized(sizes[here])} modules; one step more makes {sized(sizes[more])}"
+    sizes, limits = known(plant.system, plant.constants, here)
+    if sizes:
+        return f"More than {sized(sizes[-1])} modules"
+    if limits:
+        return f"{sized(limits[0])} to {sized(limits[1])} modules"
+    return "How many modules there will be hangs on what happens"

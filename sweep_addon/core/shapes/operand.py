@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operands: what set operations take, by ``a | b``, ``a & b`` and ``a - b``: shapes, solids and trees of them."""
+
+from ..declared.parameters import ShapeError, from_table, parameters, shown
+from ..later import later
+
+known = later("core.csg.known", "known")
+combined = later("core.csg.tree", "combined")
+moved = later("core.csg.placed", "moved")
+
+
+class Operand:
+    """A set of points that set operations take.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.solids import Ball, Block
+    >>> drilled = Block() - Ball(0.3)
+    >>> print(drilled)
+    Block - Ball
+    """
+
+    def __or__(self, other):
+        return combined(self, "union", other) if isinstance(other, Operand) else NotImplemented
+
+    def __and__(self, other):
+        return combined(self, "intersection", other) if isinstance(other, Operand) else NotImplemented
+
+    def __sub__(self, other):
+        return combined(self, "difference", other) if isinstance(other, Operand) else NotImplemented
+
+    def moved(self, x=0.0, y=0.0, z=0.0):
+        """The same somewhere else, by a way along each axis in metres: a `Placed`."""
+        return moved(self, (x, y, z))
+
+    @classmethod
+    def coerced(cls, value):
+        """An operand from itself, from the table of one, or from its bare name, as the value of a parameter."""
+        if isinstance(value, cls):
+            return value
+        if isinstance(value, str) and value in known():
+            value = {"kind": value}
+        if not isinstance(value, dict):
+            raise ShapeError(f"must be a shape, a solid or a tree, got {shown(value)}")
+        return from_table(known(), value, parameters)

@@ -1,0 +1,316 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Frames along a trajectory: the local axes e1 e2 e3 in which a contour is placed.
+
+A frame is one scalar: the angle of e2 about the tangent, measured from the rotation-minimizing normal. Twist, holonomy
+and extra turns are all added to it. Round a closed trajectory it grows by whole sectors, the least turns that map the
+contour to itself, of which there are ``symmetry`` in a whole one.
+"""
+
+from enum import Enum
+from functools import lru_cache
+from math import tau
+
+import numpy as np
+
+from ..declared.frozen import individual
+from ..declared.parameters import ShapeError, declared, parameter, require
+from ..declared.wording import near
+from ..later import later
+from ..vectors import cross, unit
+from . import sampling
+
+arc_length = later("core.trajectories.arc_length", "arc_length")
+rotated, signed_angle = later("core.stations.rotations", "rotated", "signed_angle")
+turned, wrapped = later("core.stations.rotations", "turned", "wrapped")
+transport = later("core.stations.transport", "transport")
+
+__all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
+
+PLACES = 2049  # where it is looked at how a frame turns
+JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
+STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
+
+
+@individual
+class Frames:
+    """Frames and contours at places along a sweep.
+
+    Parameters
+    ----------
+    u, s : (n,) float array
+        The trajectory's own parameter and the arc length in metres.
+    points : (n, 3) float array
+        The trajectory there.
+    e1, e2, e3 : (n, 3) float array
+        The unit tangent, at a corner the bisector, and the axes of the contour as the twist has turned them.
+    contours : tuple of (n, m, 3) float arrays
+        For each loop of the contour its points at each place, inscribed; the last leads back to the first.
+    """
+
+    u: np.ndarray
+    s: np.ndarray
+    points: np.ndarray
+    e1: np.ndarray
+    e2: np.ndarray
+    e3: np.ndarray
+    contours: tuple
+
+
+class Continuation(Enum):
+    SMOOTH = "The normal keeps its side through inflections and turns evenly over straight stretches"
+    EXACT = "As defined: the normal changes its side at once at an inflection"
+    REFUSE = "A trajectory with a straight place is refused"
+
+
+@declared
+class RotationMinimizing:
+    """Without spin about the tangent
+
+    >>> from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+    >>> from sweep_addon.core.trajectories import TorusKnot
+    >>> frame = RotationMinimizing(extra_turns=2)
+    >>> len(GeneralizedCylinder(trajectory=TorusKnot(), frame=frame).mesh().boundary_edges())
+    0
+    """
+
+    extra_turns: int = parameter(0, "Whole turns added along the trajectory", minimum=-1000, maximum=1000)
+    extra_sectors: int = parameter(
+        0, "Least turns added that map the contour to itself: quarters for a square", minimum=-4096, maximum=4096
+    )
+
+    def extra(self, symmetry):
+        """The angle in radians that is added from the start to the end."""
+        return tau * (self.extra_turns + self.extra_sectors / symmetry)
+
+    def grown(self, holonomy, symmetry):
+        """The angle of e2 from the rotation-minimizing normal at the end, where it is 0 at the start."""
+        return self.extra(symmetry) - wrapped(holonomy, tau / symmetry)
+
+    def angles(self, stations, normals, holonomy, symmetry):
+        """The angle of e2 from the rotation-minimizing normals, (n,), and what a person should be told."""
+        return self.grown(holonomy, symmetry) * stations.t, ()
+
+
+class OfItsPlace:
+    """What frames share that the place on the trajectory decides: they come back as they began."""
+
+    extra_sectors = 0
+
+    def extra(self, symmetry):
+        """Nothing is added from the start to the end."""
+        return 0.0
+
+    def grown(self, holonomy, symmetry):
+        """The angle of e2 from the rotation-minimizing normal when it is back, but for whole turns."""
+        return -holonomy
+
+
+@declared
+class Frenet(OfItsPlace):
+    """Towards the centre of curvature
+
+    >>> from sweep_addon.core.stations.sampling import Count, place
+    >>> from sweep_addon.core.trajectories import Helix
+    >>> stations = place(Helix(), Count(9))
+    >>> e2, e3, told = axes(Frenet(), stations, np.zeros(9))
+    >>> bool(np.allclose(e2[:, :2], -stations.points[:, :2])), told
+    (True, ())
+    """
+
+    continuation: Continuation = parameter(Continuation.SMOOTH, "What to do where the curvature vanishes")
+
+    def angles(self, stations, normals, holonomy, symmetry):
+        """The angle of the principal normal from the rotation-minimizing normals, (n,), and a warning."""
+        bend, corners = stations.bend.copy(), stations.corners
+        bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
+        curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
+        found = signed_angle(normals, bend, stations.leave)
+        refused = self.continuation is Continuation.REFUSE
+        if not (curved.any() or refused):
+            return np.zeros(len(found)), (
+                "Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",
+            )
+        filled = fill(stations, found, curved, holonomy) if curved.any() else found
+        flips = flipping(filled, stations, holonomy)
+        told = ()
+        if not curved.all() or flips.any():
+            place = lost(stations, curved, flips)
+            told = (f"Frame: the curvature vanishes near u = {place}, where the Frenet frame is not defined.",)
+            if refused:
+                sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
+                raise ShapeError(sentence, "frame.continuation")
+        if self.continuation is Continuation.SMOOTH:
+            filled = fill(stations, found, curved, holonomy, half=True)
+        return filled, told
+
+
+@declared
+class FixedUp(OfItsPlace):
+    """As level as the tangent allows: the contour's y axis points up, until the trajectory goes over the vertical
+
+    >>> from sweep_addon.core.stations.sampling import Count, place
+    >>> from sweep_addon.core.trajectories import Helix
+    >>> e2, e3, told = axes(FixedUp((0, 0, 1)), place(Helix(), Count(9)), np.zeros(9))
+    >>> bool(np.allclose(e2[:, 2], 0)), bool((e3[:, 2] > 0.99).all())
+    (True, True)
+    """
+
+    up: tuple[float, float, float] = parameter((0, 0, 1), "Direction that stays up")
+
+    def check(self):
+        """Refuse a direction without length."""
+        require(np.linalg.norm(self.up) > 0, "must have a length", list(self.up), "up")
+
+    def angles(self, stations, normals, holonomy, symmetry):
+        """The angle of the level normal from the rotation-minimizing normals, (n,), and a warning."""
+        level = cross(unit(np.array(self.up)[None]), stations.leave)
+        defined = np.linalg.norm(level, axis=1) > 1e-6
+        found = signed_angle(normals, level, stations.leave)
+        filled = fill(stations, found, defined, holonomy) if defined.any() else np.zeros(len(found))
+        flips = flipping(filled, stations, holonomy)
+        if defined.all() and not flips.any():
+            return found, ()
+        place = lost(stations, defined, flips)
+        told = (f"Frame: the trajectory runs along the up direction near u = {place}, where no side is up.",)
+        return fill(stations, found, defined, holonomy, half=True) if defined.any() else filled, told
+
+
+Frame = RotationMinimizing | Frenet | FixedUp
+
+
+def __dir__():
+    return __all__  # what a console offers
+
+
+def axes(frame, stations, twist, symmetry=1):
+    """The axes in which the contour is drawn at each station.
+
+    Parameters
+    ----------
+    frame : RotationMinimizing, Frenet or FixedUp
+    stations : Stations
+    twist : (n,) float array
+        An angle in radians about the tangent, added to the frame's own.
+    symmetry : int
+        The parts of a whole turn by any of which a closed frame may come back turned.
+
+    Returns
+    -------
+    e2, e3 : (n, 3) float array
+        The contour's x and y axes, orthonormal and across ``stations.tangent``.
+    told : tuple of str
+        Sentences for people, where the frame is not defined somewhere.
+    """
+    normals, holonomy = rotation_minimizing(stations)
+    angles, told = frame.angles(stations, normals, holonomy, symmetry)
+    turned_by, across, corners = angles + twist, binormals(stations), stations.corners
+    if turned_by.any():
+        cosine, sine = np.cos(turned_by)[:, None], np.sin(turned_by)[:, None]
+        e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
+    else:
+        e2, e3 = normals.copy(), across.copy()  # others keep these
+    if len(corners):
+        e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
+        e3[corners] = cross(stations.tangent[corners], e2[corners])
+    return e2, e3, told
+
+
+@lru_cache(maxsize=16)
+def turn(frame, trajectory):
+    """How a frame turns beside the rotation-minimizing one.
+
+    Parameters
+    ----------
+    frame : Frenet or FixedUp
+    trajectory : Trajectory
+
+    Returns
+    -------
+    s : (n,) float array
+        Arc lengths in metres, evenly spaced from end to end.
+    angle : (n,) float array
+        What it has turned about the tangent by then, in radians, jumps left out. Opposite sides count as one, as the
+        frame goes on with either after an inflection.
+    """
+    s = np.linspace(0.0, arc_length(trajectory).total, PLACES)
+    placed = sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
+    normals, holonomy = rotation_minimizing(placed)
+    angles = frame.angles(placed, normals, holonomy, 1)[0]
+    if trajectory.closed:
+        angles = np.append(angles, angles[0] - holonomy)
+    steps = wrapped(np.diff(angles), tau / 2)
+    steps[np.abs(steps) > JUMP] = 0.0
+    return s, np.concatenate(([0.0], np.cumsum(steps)))
+
+
+@lru_cache(maxsize=16)
+def rotation_minimizing(stations):
+    """Normals carried along a trajectory without spin about the tangent.
+
+    Parameters
+    ----------
+    stations : Stations
+
+    Returns
+    -------
+    normals : (n, 3) float array
+        Unit normals across ``stations.leave``, the first as Blender chooses it.
+    holonomy : float
+        The angle in radians by which a closed trajectory brings the normal back turned; 0 for an open one.
+
+    At a corner the normal turns with the least rotation that takes one leg to the other, so that a mitred leg keeps its
+    cross-section.
+    """
+    carried = transport(stations.trajectory)
+    reference, angle = carried.at(stations.u, stations.leave)
+    start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
+    first = signed_angle(reference[:1], start, stations.leave[:1])
+    return rotated(reference, stations.leave, first + angle - angle[0]), carried.holonomy
+
+
+@lru_cache(maxsize=16)
+def binormals(stations):
+    """What is across the rotation-minimizing normals and ``stations.leave``: unit vectors, (n, 3)."""
+    return cross(stations.leave, rotation_minimizing(stations)[0])
+
+
+def first_normal(tangent):
+    """The normal that Blender's Curve to Mesh starts with: level, or along x where the tangent is vertical."""
+    x, y = tangent[0, :2]
+    normal = np.array([[y, -x, 0.0]]) if abs(x) + abs(y) >= 1e-4 else np.array([[1.0, 0.0, 0.0]])
+    return unit(normal - (normal @ tangent[0]) * tangent)
+
+
+def fill(stations, angles, known, holonomy, half=False):
+    """Angles made continuous over the stations, those not known taken evenly between their neighbours.
+
+    With `half`, an angle and the one opposite are the same, so that an inflection does not turn the frame round.
+    """
+    period = tau / 2 if half else tau
+    at, found = stations.s[known], np.unwrap(angles[known], period=period)
+    if stations.closed:  # once round, the same frame stands at an angle that has grown by minus the holonomy
+        again = found[0] - holonomy
+        again += period * np.round((found[-1] - again) / period)
+        if abs(wrapped(again - found[0] + holonomy)) > tau / 4:  # the sides changed an odd number of times
+            return fill(stations, angles, known, holonomy)
+        at, found = np.append(at, at[0] + stations.total), np.append(found, again)
+        at, found = np.insert(at, 0, at[-2] - stations.total), np.insert(found, 0, found[-2] - (again - found[0]))
+    return np.interp(stations.s, at, found)
+
+
+def lost(stations, defined, flips):
+    """The first place where a frame is not defined, or amid the first step in which it flips, as people read it."""
+    domain = stations.trajectory.domain
+    if not defined.all():
+        return near(stations.u[np.argmin(defined)], *domain)
+    step = np.argmax(flips)
+    return near((stations.u[step] + np.append(stations.u, domain[1])[step + 1]) / 2, *domain)
+
+
+def flipping(angles, stations, holonomy):
+    """Where the angle jumps by more than a quarter turn from one station to the next: (n - 1,) or (n,) bool."""
+    step = stations.steps(angles)
+    if stations.closed:
+        step[-1] -= holonomy
+    return np.abs(wrapped(step)) > tau / 4

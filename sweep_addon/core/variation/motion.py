@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Motion: where a generator is at each place of a trajectory, how it is turned and scaled there, and deformed.
+
+A point x of the generator goes to t(u) + F(u) Rz Ry Rx S d(x, t): first it is deformed, then scaled along the
+generator's axes, turned about its x, y and z axis, put into the frame, and moved.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..declared.frozen import frozen
+from ..declared.parameters import at
+from ..formulas.expressions import compile
+from ..meshes.mesh import require_few
+from ..shapes.general_sweep import PLACES
+from ..stations.frames import axes
+from ..stations.parallel import Parallel
+from ..stations.sampling import place, stations
+from ..trajectories.arc_length import arc_length
+from ..vectors import norms
+from .laws import Law
+
+FOLLOWED = 32  # points of the generator whose ways say how closely it stands
+ROUNDS = 5  # of Newton's method
+DIFFERENCE = 1e-6  # of the size: over which slopes of formulas are taken
+SINGULAR = 1e-9  # a determinant of less turns no way back
+SAME = 1e-9  # of how far points move: nearer to where it began a generator is back
+
+
+class Poses(NamedTuple):
+    """A generator at some places of its way."""
+
+    u: np.ndarray  # the trajectory's parameter: (n,)
+    s: np.ndarray  # the arc length in metres: (n,)
+    t: np.ndarray  # from 0 to 1: (n,)
+    origin: np.ndarray  # where the reference point is: (n, 3)
+    matrix: np.ndarray  # whose columns are where the generator's axes point, scaled: (n, 3, 3)
+    told: tuple  # sentences for people
+
+    def only(self, which):
+        """Some of the poses."""
+        return Poses(*(part[which] for part in self[:-1]), self.told)
+
+    def thinned(self, most):
+        """The poses, or so many of them, the first and the last among them."""
+        return self.only(np.unique(np.linspace(0, len(self.s) - 1, min(most, len(self.s))).round().astype(int)))
+
+
+@frozen
+class Motion:
+    """A trajectory, and what becomes of the generator on it.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    frame : Parallel or Frame
+        In a frame the generator's x and y axes lie along e2 and e3, as a contour's do, and its z axis along e1.
+    turns, scales : tuple of three Law
+        About and along the generator's own axes.
+    formulas : tuple of three str
+        Where a point of the generator goes before it is scaled: expressions of `PLACES`.
+    """
+
+    trajectory: object
+    frame: object
+    turns: tuple[Law, ...]
+    scales: tuple[Law, ...]
+    formulas: tuple[str, ...]
+
+    def poses(self, placed):
+        """The `Poses` at `Stations`."""
+        u, s, t = placed.u, placed.s, placed.t
+        matrix, told = self.framed(placed)
+        for axis, (name, law) in reversed(
+            list(enumerate(zip(("turn_x", "turn_y", "turn_z"), self.turns, strict=True)))
+        ):
+            with at(name):
+                matrix = matrix @ about(axis, law.evaluate(u, t, s))
+        scale = np.empty((len(s), 1, 3))
+        for axis, law in enumerate(self.scales):
+            with at(f"scale_{'xyz'[axis]}"):
+                scale[:, 0, axis] = law.evaluate(u, t, s)
+        return Poses(u, s, t, placed.points, matrix * scale, told)
+
+    def framed(self, placed):
+        """The axes of the frame as columns, (n, 3, 3), and what is to be told of it."""
+        if isinstance(self.frame, Parallel):
+            return np.broadcast_to(np.eye(3), (len(placed.s), 3, 3)), ()
+        e2, e3, told = axes(self.frame, placed, np.zeros(len(placed.s)))
+        return np.stack((e2, e3, placed.tangent), axis=-1), told
+
+    def at(self, s):
+        """The `Poses` at arc lengths that begin with 0."""
+        return self.poses(stations(self.trajectory, s))
+
+    def posed(self, points, poses):
+        """Where points of the generator, (k, 3), are in some poses: (n, k, 3)."""
+        return self.deformed(points, poses) @ poses.matrix.swapaxes(1, 2) + poses.origin[:, None]
+
+    def each(self, points, poses):
+        """Where points of the generator, (n, 3), are in a pose each: (n, 3)."""
+        if self.deforms:
+            known = dict(zip("xyz", points.T, strict=True)) | {name: getattr(poses, name) for name in "tus"}
+            points = points.copy()
+            for axis, formula in enumerate(self.formulas):
+                with at(f"deform_{'xyz'[axis]}"):
+                    points[:, axis] = compile(formula, PLACES).evaluate(**known)
+        return np.einsum("nij,nj->ni", poses.matrix, points) + poses.origin
+
+    def deformed(self, points, poses):
+        """Points of the generator, (k, 3), as they are deformed in some poses: (n, k, 3), or (1, k, 3) if they stay."""
+        if not self.deforms:
+            return points[None]
+        known = dict(zip("xyz", points.T[:, None], strict=True))
+        known |= {name: getattr(poses, name)[:, None] for name in "tus"}
+        made = np.empty((len(poses.t), len(points), 3))
+        for axis, formula in enumerate(self.formulas):
+            with at(f"deform_{'xyz'[axis]}"):
+                made[..., axis] = compile(formula, PLACES).evaluate(**known)
+        return made
+
+    def undeformed(self, places, **known):
+        """The points of the generator that a deformation takes to places (n, 3), by Newton's method.
+
+        Parameters
+        ----------
+        places : (n, 3) float array
+        **known : (n,) float arrays
+            The t, u and s of each.
+
+        Returns
+        -------
+        points : (n, 3) float array
+        missed : (n,) float array
+            How far from their places they are taken: more than rounding where there is no such point near.
+        """
+        formulas = [compile(formula, PLACES) for formula in self.formulas]
+
+        def taken(points):
+            place = dict(zip("xyz", points.T, strict=True))
+            return np.stack([formula.evaluate(**place, **known) for formula in formulas], axis=1)
+
+        size = max(float(np.abs(places).max(initial=0.0)), 1e-300)
+        points, off = places.copy(), taken(places) - places
+        for _ in range(ROUNDS):
+            if np.abs(off).max(initial=0.0) <= SAME * size:
+                break
+            step = DIFFERENCE * size
+            slopes = np.stack([taken(points + step * axis) - off - places for axis in np.eye(3)], axis=2) / step
+            slopes[np.abs(np.linalg.det(slopes)) < SINGULAR] = np.eye(3)
+            points -= np.linalg.solve(slopes, off[..., None])[..., 0]
+            off = taken(points) - places
+        return points, norms(off)
+
+    @property
+    def deforms(self):
+        """Whether anything is deformed."""
+        return any(formula.strip() != name for formula, name in zip(self.formulas, "xyz", strict=True))
+
+    def comes_back(self, points):
+        """Whether a closed trajectory brings points of the generator back to where they began."""
+        if not self.trajectory.closed:
+            return False
+        total = arc_length(self.trajectory).total
+        near = self.posed(points, self.at(np.array([0.0, total * SAME, total / 2, total * (1 - SAME)])))
+        back = norms(near[3] - near[0]).max()
+        return bool(back <= 100 * SAME * max(norms(near[2] - near[0]).max(), total))
+
+    def standing(self, points, samples, vertices, ends=0):
+        """The poses in which a generator stands, and whether it comes back to the first.
+
+        Parameters
+        ----------
+        points : (k, 3) float array
+            Of the generator.
+        samples : Count or Tolerance
+        vertices, ends : int
+            How many there are at each place, and besides: of a mesh of too many the samples are refused.
+
+        Returns
+        -------
+        Poses, bool
+            Where a closed trajectory does not bring it back, it ends in a pose of its own.
+        """
+        placed = self.stations(points, samples)
+        require_few(len(placed.s) * vertices + ends, "samples")
+        back = self.comes_back(points)
+        if self.trajectory.closed and not back:  # it ends elsewhere, or turned
+            return self.at(np.append(placed.s, placed.total)), False
+        return self.poses(placed), back
+
+    def stations(self, points, samples):
+        """The stations at which the chords of all points of the generator keep a tolerance, or so many."""
+        some = points[np.unique(np.linspace(0, len(points) - 1, FOLLOWED).round().astype(int))]
+
+        def steps(s, u, chord):
+            poses = self.at(s)
+            beside = self.posed(some, poses) - poses.origin[:, None]  # the bends of the trajectory itself are counted
+            bends = np.gradient(np.gradient(beside, s, axis=0), s, axis=0)
+            bends[[0, -1]] = bends[[1, -2]]
+            return np.sqrt(norms(bends).max(axis=1) / (8 * chord))
+
+        return place(self.trajectory, samples, (), steps)
+
+
+def about(axis, angle):
+    """Turns about an axis by angles (n,): (n, 3, 3) float array."""
+    made = np.zeros((len(angle), 3, 3))
+    first, second = (axis + 1) % 3, (axis + 2) % 3
+    made[:, axis, axis] = 1.0
+    made[:, first, first] = made[:, second, second] = np.cos(angle)
+    made[:, second, first] = np.sin(angle)
+    made[:, first, second] = -made[:, second, first]
+    return made
