@@ -7,15 +7,19 @@ from functools import lru_cache
 import numpy as np
 
 from ..contours import Circle, Fit, fitted
+from ..declared.parameters import Array
 from ..rings.bevels import bevels
 from ..rings.ends import Flat, Open
 from ..rings.mitres import legs
+from ..shapes.generalized_cylinder import section_of
 from ..stations.cells import bend, cut
 from ..stations.frames import axes
+from ..stations.sampling import lengths, standing
+from ..trajectories.arc_length import arc_length
 from ..vectors import dot, norms
 from .detect import met, together
 from .folds import between, short_legs
-from .lattice import Lattice
+from .lattice import WIDEST, Lattice
 from .local import Local, folded
 from .places import Place, Places
 from .thickness import thickest
@@ -35,19 +39,24 @@ def of_cylinder(shape):
     best = thickest(along.trajectory)
 
     def places():
-        return places_of(shape, size, unit, along.trajectory).places or [nearest(along.trajectory, best)]
+        return places_of(shape, size, unit, along, radius).places or [nearest(along.trajectory, best)]
 
     clean = best.radius >= radius * (1 - ROUNDING)
     return Places(() if clean else places, lambda: size * best.radius / radius, unit, at_once=True)
 
 
-def places_of(shape, size, unit, tube=None):
+def places_of(shape, size, unit, tube=None, radius=0.0):
     """The places as the local test and the triangles tell of them: `Places`.
 
-    A round tube, whose trajectory is given, is known to meet itself: its rings are looked at as far apart as the points
-    of its contour are, which the mesh is as far from the true shape between as between closer ones.
+    A round tube, whose laws and radius are given, is known to meet itself: its rings are looked at as far apart as the
+    points of its contour are, which the mesh is as far from the true shape between as between closer ones. No others
+    are laid out.
     """
-    swept = shape.swept()
+    if tube:
+        section = section_of(shape.contour, shape.fit)
+        s = lengths(tube.trajectory, shape.samples, *tube.asks(norms(section.points).max()))
+        kept = spaced(tube.trajectory, s, section.edge_lengths.max() * radius / size)
+    swept = shape.swept(standing(tube.trajectory, Array(s[kept])) if tube else None)
     change = swept.along.change
     farthest = swept.along.farthest(float(norms(change.points if change else swept.body.section.points).max()))
     reaching = change.support if change else support(shape.contour)
@@ -55,8 +64,28 @@ def places_of(shape, size, unit, tube=None):
     lattice = lattice_of(swept)
     if tube:
         local.grid = local.measure.at(cut(local.measure))
-        lattice = lattice.spaced(swept.body.section.edge_lengths.max() * farthest / lattice.radii.max())
+        lattice = lattice.numbered(kept, len(s))
     return together(lattice, local, Legs(swept, lattice), size, unit)
+
+
+def spaced(trajectory, s, step):
+    """Which of the stations of a smooth trajectory are that many metres apart, or turn as thinned rings may: (k,) int.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    s : (n,) float array
+        The arc lengths of all stations; the first and the last are kept.
+    step : float
+
+    It is told how much the trajectory turns by the cells in which its folds are looked for, not by all stations.
+    """
+    measure = arc_length(trajectory)
+    cells = cut(measure)
+    turns = norms(np.diff(trajectory.tangents(cells), axis=0))
+    turned = np.interp(s, measure.at(cells), np.concatenate(([0.0], np.cumsum(turns))))
+    passed = np.floor(s / step) + np.floor(turned * (2 / WIDEST))
+    return np.flatnonzero(np.concatenate(([True], np.diff(passed[:-1]) > 0, [True])))
 
 
 def laws(shape):

@@ -118,14 +118,10 @@ class Lattice:
         thinner = self.thinned() if len(self.u) > fewest else self
         return thinner if len(thinner.u) <= 0.8 * len(self.u) else None
 
-    def spaced(self, step):
-        """As many rings of it as are that far apart, or turn by as much as thinned ones may, with the tips and ends."""
-        ways = norms(np.diff(self.path, axis=0)) / step, self.turns * (2 / WIDEST)
-        passed = sum(np.floor(np.concatenate(([0.0], np.cumsum(way)))) for way in ways)
-        kept = np.append(True, np.diff(passed) > 0)
-        kept[-1] = True
-        kept[np.isin(self.rings, self.grid.tips)] = True
-        return self.only(kept)
+    def numbered(self, rings, count):
+        """The same with its rings known by other numbers, (n,), as those of so many that a shape has."""
+        rings = np.append(rings, count) if self.closed else rings
+        return replace(self, at=lambda asked: self.at(np.searchsorted(rings, asked)), rings=rings)
 
     def only(self, kept):
         """Some rings of it, as (n,) bools say."""

@@ -186,12 +186,12 @@ class GeneralizedCylinder(Operand):
 
         return along_a_trajectory(self, progress)
 
-    def swept(self):
-        """All that the mesh is drawn from: a `Swept`."""
+    def swept(self, stations=None):
+        """All that the mesh is drawn from: a `Swept`, with contours at its own stations or at others."""
         (section, change), closed = self.moving(), self.trajectory.closed
         ends = (Flat(), Flat()) if closed else (self.start, self.end)
         along, symmetry, reach, told = self.laid_out(section, change, ends)
-        stations = stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
+        stations = stations or stand(self.samples, along.unchanging(), 0.0 if along.is_constant else reach)
         sectors = closing.sectors(along.rails or self.frame, along, symmetry) if closed else 0
         body = self.carried(section, along, stations, symmetry, tau * sectors / symmetry)
         true = body.ends if self.fit is Fit.INSCRIBED else (section_of(self.contour, Fit.INSCRIBED),) * 2
@@ -351,7 +351,7 @@ def bevelled(along, reach):
 @lru_cache(maxsize=16)
 def stand(samples, along, reach):
     """The stations of a sweep, the same for all contours of one reach."""
-    return place(along.trajectory, samples, along.marks(), along.density(reach) if reach else None)
+    return place(along.trajectory, samples, *along.asks(reach))
 
 
 @lru_cache(maxsize=16)

@@ -163,7 +163,7 @@ class Stations:
 
 
 def place(trajectory, sampling, marks=(), extra=None, way=None):
-    """Choose the stations of a sweep.
+    """Choose the stations of a sweep: they stand at `lengths`, which takes the same.
 
     Parameters
     ----------
@@ -181,6 +181,16 @@ def place(trajectory, sampling, marks=(), extra=None, way=None):
     -------
     Stations
     """
+    return standing(trajectory, Array(lengths(trajectory, sampling, marks, extra, way)))
+
+
+def lengths(trajectory, sampling, marks=(), extra=None, way=None):
+    """The arc lengths in metres where `place` puts stations: (n,) rising; a closed trajectory's end is not among them.
+
+    >>> from sweep_addon.core.trajectories import Line
+    >>> lengths(Line(end=(0, 0, 3)), Count(3)).round(12).tolist()
+    [0.0, 1.5, 3.0]
+    """
     measure = arc_length(trajectory)
     ends = measure.at(np.concatenate((trajectory.stops(), trajectory.domain)))
     ends = distinct(np.concatenate((ends, marks)).clip(0.0, measure.total), SHORTEST_STEP * measure.total)
@@ -189,7 +199,7 @@ def place(trajectory, sampling, marks=(), extra=None, way=None):
         s = spread_evenly(ends, max(sampling.contours - (not trajectory.closed), fewest(trajectory)), way)
     else:
         s = spread(trajectory, ends, sampling.chord, extra)
-    return standing(trajectory, Array(s[:-1] if trajectory.closed else s))
+    return s[:-1] if trajectory.closed else s
 
 
 @lru_cache(maxsize=16)

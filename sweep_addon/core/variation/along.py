@@ -172,6 +172,10 @@ class Along:
         place, most = highest(lambda s: -np.abs(self.at(s)[0]), s[:-2][least], s[2:][least], SHARPLY)
         return place[most >= -NOTHING * size.max()]
 
+    def asks(self, reach):
+        """What the laws of a contour that reaches so far ask of `place` beside the samples: its marks and its extra."""
+        return self.marks(), None if self.is_constant else self.density(reach)
+
     def density(self, reach):
         """Steps per metre that laws and frame ask for, as a function of arc length, parameter and chord tolerance.
 
