@@ -238,7 +238,7 @@ def changed(p, **words):
 
 def coerce(p, value):
     """The value that was meant, or a `ShapeError`."""
-    if value is None and p.default is None:
+    if value is None and p.default is None and p.shown is not None:  # it need not be given
         return None
     if p.type is float or p.type is int:
         return coerce_number(p, value)
