@@ -7,13 +7,10 @@ import dataclasses
 import bpy
 
 from ..core.contours import Outline
-from ..core.contours.arc_recovery import recover_arcs
 from ..core.conversion import kind, sweep_to_csg
 from ..core.conversion.evaluation import csg_to_sweep
 from ..core.csg import Tree
-from . import grove, objects, operands, sharp_edges, trees
-
-QUARTER = 2e-4  # of its size: what a circle of four Bezier segments is off at most
+from . import arcs, grove, objects, operands, sharp_edges, trees
 
 
 def to_tree(ob):
@@ -54,8 +51,7 @@ def extrusion(ob):
     drawn = "contour" in objects.inputs(ob.data) and isinstance(shape.contour, Outline) and shape.contour.closed
     if not drawn:
         return shape
-    contour = recover_arcs(shape.contour, QUARTER * shape.contour.section().size)
-    return dataclasses.replace(shape, contour=contour)
+    return dataclasses.replace(shape, contour=arcs.recovered(shape.contour))
 
 
 def primitives(ob):

@@ -90,8 +90,12 @@ def as_shown(ob, depsgraph, read):
 
 def spline_loops(splines):
     """Splines as loops of points (n, 2)."""
-    made = [spline_trajectory(spline, spline.use_cyclic_u or spline.type == "POLY") for spline in splines]
-    return [flattened(trajectory) for trajectory in made if trajectory]
+    return [flattened(trajectory) for trajectory in map(closed_trajectory, splines) if trajectory]
+
+
+def closed_trajectory(spline):
+    """A spline of an outline as a trajectory, a straight one closed; None where it has no length."""
+    return spline_trajectory(spline, spline.use_cyclic_u or spline.type == "POLY")
 
 
 def spline_parts(splines):

@@ -10,11 +10,12 @@ from ..core.declared.parameters import ShapeError, at, parameters, require, spel
 from ..core.declared.wording import titled
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES, SWEPT
+from ..core.shapes.offset_surface import OffsetSurface
 from ..core.shapes.operand import Operand
 from ..core.stations.sampling import rendered
 from . import meshes, rna
 
-beside, curves, models = later("bridge.beside"), later("bridge.curves"), later("bridge.models")
+arcs, beside, curves, models = (later(f"bridge.{name}") for name in ("arcs", "beside", "curves", "models"))
 grove, trees = later("bridge.grove"), later("bridge.trees")
 
 SLOTS = 2  # of materials: of sides and of ends
@@ -194,8 +195,8 @@ def shapes(mesh, depsgraph=None):
                 models.require_apart(mesh, ob)
                 return models.triangles(ob, depsgraph, p.name != carrier(shape))
             if "FONT" in p.accepts:
-                read = curves.contour if Mixed in p.kinds else curves.outline
-                return read(ob, depsgraph, p.name != carrier(shape))
+                rounded = arcs.outline if shape is OffsetSurface else curves.outline
+                return (curves.contour if Mixed in p.kinds else rounded)(ob, depsgraph, p.name != carrier(shape))
             if p.name != "trajectory":
                 known = paths["trajectory"][number] if along else None
                 return beside.value(ob, p, along, known, number, depsgraph)

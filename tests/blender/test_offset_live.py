@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Offset surfaces of mesh objects, and those of curves in their plane, follow these, and refuse what is not closed."""
 
-from math import pi
+from math import cos, pi, sin
 
 import pytest
 
@@ -100,6 +100,30 @@ def test_an_open_curve_is_closed_by_a_straight_line_as_any_contour_is(scene):
     select(curve("POLY", SQUARE))
     assert bpy.ops.object.sweep_offset_selected() == {"FINISHED"}
     assert area(bpy.context.active_object) == pytest.approx(4 + 8 * 0.1 + pi * 0.01, rel=1e-3)
+
+
+def test_a_circle_of_four_bezier_segments_is_offset_as_a_circle(scene):
+    """A disc of radius 1 along the lecture's circle of radius 5: between 4 and 6, each a circle of two arcs."""
+    bpy.ops.curve.primitive_bezier_circle_add(radius=5.0)
+    circle = bpy.context.active_object
+    ob = add("ring", objects.new_mesh(sw.OffsetSurface(radius=1.0, side="shell", tolerance=1e-4), body=circle))
+    assert "0 lines and 4 true arcs" in ob.data.sweep.told
+    assert area(ob) == pytest.approx(20 * pi, rel=1e-3)
+    assert sw.from_object(ob).outline().area == pytest.approx(20 * pi, rel=3e-4)  # Bezier's is up to 2.7e-4 wider
+    for point in circle.data.splines[0].bezier_points:
+        point.co.x *= 2
+        point.handle_left.x *= 2
+        point.handle_right.x *= 2
+    circle.data.update_tag()
+    bpy.context.view_layer.update()
+    assert area(ob) > 25 * pi
+
+
+def test_a_polygon_whose_corners_lie_on_a_circle_is_offset_as_a_polygon(scene):
+    around = [2 * pi * i / 32 for i in range(32)]
+    drawn = curve("POLY", [(cos(a), sin(a), 0) for a in around])
+    ob = add("ring", objects.new_mesh(sw.OffsetSurface(radius=0.1), body=drawn))
+    assert "32 lines and 32 true arcs" in ob.data.sweep.told
 
 
 def test_the_contour_of_an_offset_becomes_a_curve_and_a_solid_does_not(scene):
