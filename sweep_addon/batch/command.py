@@ -51,14 +51,15 @@ def parser():
     check.set_defaults(act=verbs.check)
 
     derive = commands.add_parser("derive", help="print the word of a grammar", description=grammar.derive.__doc__)
-    derive.add_argument("grammar", metavar="FILE", help="a text with an axiom and productions")
+    derive.add_argument("grammar", metavar="FILE", help="a text with an axiom and productions; - for standard input")
     derive.add_argument("-n", "--generations", metavar="N", type=int, help="how many steps, else as many as it says")
     derive.add_argument("--seed", metavar="S", type=int, help="of its random numbers, else as it says")
     derive.add_argument("--count", action="store_true", help="only the number of modules of each generation")
     derive.set_defaults(act=grammar.derive)
 
     describe = commands.add_parser("describe", help="say what a job may tell", description=verbs.describe.__doc__)
-    describe.add_argument("shape", metavar="SHAPE", nargs="?", help="a shape, one of its choices, render, or a grammar")
+    describe.add_argument("shape", metavar="SHAPE", nargs="?",
+                          help="a shape, one of its choices, render, or a grammar; - for standard input")  # fmt: skip
     describe.add_argument("--schema", action="store_true", help="the JSON Schema of job files, for editors")
     describe.add_argument("--markdown", action="store_true", help="as a table for the docs")
     describe.set_defaults(act=verbs.describe)

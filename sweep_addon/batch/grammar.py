@@ -9,10 +9,11 @@ from ..core.declared.parameters import ShapeError
 from .job import decoded
 
 LONGEST = 4_000_000  # bytes of a file
+STANDARD_INPUT = "-"  # in the place of a file
 
 
 def read(path):
-    """The system in a file.
+    """The system in a file, or in what is written to standard input where the path is a minus.
 
     Raises
     ------
@@ -21,9 +22,8 @@ def read(path):
     """
     from ..core.grammars import GrammarError, LSystem
 
-    path = Path(path)
     try:
-        data = path.read_bytes() if path.stat().st_size <= LONGEST else None
+        path, data = received(path)
     except OSError as error:
         raise ShapeError(f"{path}: cannot be read: {error.strerror}") from None
     text = decoded(data)
@@ -36,6 +36,15 @@ def read(path):
         raise ShapeError("\n".join(placed(path, problem) for problem in refusal.problems)) from None
     except ShapeError as refusal:
         raise ShapeError(f"{path}: {refusal}") from None
+
+
+def received(path):
+    """The name of a file and its bytes, or None where these are too many."""
+    if path == STANDARD_INPUT:
+        data = sys.stdin.buffer.read(LONGEST + 1)
+        return "standard input", data if len(data) <= LONGEST else None
+    path = Path(path)
+    return path, path.read_bytes() if path.stat().st_size <= LONGEST else None
 
 
 def placed(path, problem):

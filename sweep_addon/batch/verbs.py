@@ -110,7 +110,7 @@ def describe(told):
         say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in jobs.DESCRIBED.items()))
         return 0
     kinds = described()
-    if told.shape not in kinds and Path(told.shape).is_file():
+    if told.shape not in kinds and (told.shape == grammar.STANDARD_INPUT or Path(told.shape).is_file()):
         say("\n".join(grammar.describe(told.shape)))
         return 0
     require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Grammars on the command line: words, sizes and classes on standard output, and every wrong line on standard error."""
 
+import io
+import sys
+from types import SimpleNamespace
+
 import pytest
 
 from sweep_addon.batch.command import main
@@ -45,6 +49,44 @@ def test_describe_says_class_and_size(tree, capsys):
     assert (code, err) == (0, "")
     assert out.splitlines()[0] == "class: parametric bracketed D0L-system"
     assert "size: 13 modules after 2 generations" in out and "constant: r = 0.5" in out
+
+
+def test_describe_says_what_constants_are_turned_by(tmp_path, capsys):
+    path = tmp_path / "tree.l"
+    path.write_text(
+        "#define r1 0.9  # 0.5 .. 1.2 how much shorter\n#define l 2 /* 1 .. 3.5 m of the trunk */\n"
+        "#define q (1 - r1)^2\n#define n 3 # boughs\naxiom: F\n"
+    )
+    assert told(capsys, "describe", str(path))[1].splitlines()[-4:] == [
+        "constant: r1 = 0.9, 0.5 to 1.2: how much shorter",
+        "constant: l = 2 m, 1 to 3.5: of the trunk",
+        "constant: q = 0.01",
+        "constant: n = 3: boughs",
+    ]
+
+
+@pytest.fixture
+def written(monkeypatch):
+    """A function that writes bytes to standard input."""
+    return lambda data: monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(data)))
+
+
+def test_a_minus_reads_standard_input(written, capsys):
+    written(TREE.encode())
+    assert told(capsys, "derive", "-", "-n", "1") == (0, "F(1)[+F(0.5)]\n", "")
+    written("ω : F\nF → FF".encode())
+    assert told(capsys, "describe", "-")[1].splitlines()[0] == "class: D0L-system"
+
+
+@pytest.mark.parametrize("verb", ["derive", "describe"])
+def test_what_standard_input_has_wrong_is_told_with_its_place(verb, written, capsys):
+    written(b"axiom: F\nF -> F]\n")
+    code, out, err = told(capsys, verb, "-")
+    assert (code, out) == (2, "")
+    assert err.splitlines()[0] == "standard input:2:7: expected '[' before it, found ']'"
+    for data in (b"\xff\xfe\x00", b"axiom: " + b"A" * 5_000_000):
+        written(data)
+        assert told(capsys, verb, "-")[2].startswith("standard input: must ")
 
 
 def test_every_wrong_line_is_told_with_its_place(tmp_path, capsys):

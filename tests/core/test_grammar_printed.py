@@ -102,3 +102,86 @@ def test_probabilities_and_contexts_as_printed():
 def test_comments_as_in_c_are_no_part_of_a_word():
     told = "axiom: A /* all */ B  # a /* b\nA -> F/F /* roll */\nB -> /F /* not closed"
     assert str(LSystem.parse(told).derive(1)) == "F/F/F"
+
+
+WRAPPED = """ω : −(90)F(0,0,900)F(4,1,900)F(0,0,900)
+p1 : F(s,t,c) : t=1 & s>=6 →  /* the wall
+   F(s/3∗2,2,c)f(1)        # between
+   F(s/3,1,c)
+p2 : F(s,t,c) : t=2 & s>=6 →
+F(s/3,2,c)f(1)F(s/3∗2,1,c)
+p3 : F(h,i,k) < F(s,t,c) > F(o,p,r)
+   : s>3.9|c>0.4 → F(s+.1,t,
+c+0.25∗(k+r
+−3∗c))
+p4 : F(h,i,k) < F(s,t,c) > F(o,p,r)
+   : !(s>3.9|c>0.4)
+   → F(0,0,900) [
+∼ H(1) ]
+homomorphism : H(s) → +(s)
+   F(s)
+#ignore: f ∼ H
+"""
+UNWRAPPED = """#ignore: f ~ H
+axiom: -(90)F(0,0,900)F(4,1,900)F(0,0,900)
+F(s,t,c) : t=1 & s>=6 -> F(s/3*2,2,c)f(1)F(s/3,1,c)
+F(s,t,c) : t=2 & s>=6 -> F(s/3,2,c)f(1)F(s/3*2,1,c)
+F(h,i,k) < F(s,t,c) > F(o,p,r) : s>3.9|c>0.4 -> F(s+.1,t,c+0.25*(k+r-3*c))
+F(h,i,k) < F(s,t,c) > F(o,p,r) : !(s>3.9|c>0.4) -> F(0,0,900)[~H(1)]
+homomorphism:
+H(s) -> +(s)F(s)
+"""
+
+
+def test_axioms_and_productions_go_on_over_several_lines():
+    assert str(LSystem.parse(WRAPPED).derive(30)) == str(LSystem.parse(UNWRAPPED).derive(30))
+    assert str(LSystem.parse("axiom:\n  A\n\tB\nA -> C\n\n  D").derive(1)) == "CDB"
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column"),
+    [
+        ("axiom: F\nF(x) -> G  # long\n    H\n    F(y)", 4, 7),  # the name y
+        ("axiom: F\nF ->\n  [+F   # open\n  F", 3, 3),  # the bracket
+        ("axiom: F(1,\n  2", 2, 4),  # the end of the last line
+        ("axiom: A B\n  F(1, ,\n  2)", 2, 8),  # the parameter that is none
+        ("axiom: F\nF -(0.6)-> G\nF\n  -(0.6)-> H", 3, 1),  # no arrow, for the line below may be of the module -
+        ("axiom: F\nF -(0.6)-> G\nF : 1\n  : 2 -> H", 4, 3),  # one condition
+    ],
+)
+def test_a_refusal_points_into_the_line_that_goes_on(text, line, column):
+    with pytest.raises(GrammarError) as refusal:
+        LSystem.parse(text)
+    problem = refusal.value.problems[0]
+    assert (problem.line, problem.column) == (line, column)
+    assert problem.source == text.split("\n")[line - 1]
+
+
+def test_probabilities_of_productions_that_go_on_are_told_where_they_stand():
+    with pytest.raises(GrammarError, match="line 3, column 3: expected probabilities of F") as refusal:
+        LSystem.parse("axiom: F\nF -(0.6)-> G\nF -(0.6)->\n  H\n  H")
+    assert refusal.value.problems[0].source == "F -(0.6)->"
+
+
+@pytest.mark.parametrize("alone", ["group 1: F -> G", "start: n = 1", "n=5", "#angle 30", "G -> H", "homomorphism:"])
+def test_a_line_that_stands_for_itself_ends_the_one_before_however_far_right_it_stands(alone):
+    assert str(LSystem.parse(f"axiom: FG\nF -> FF\n{alone}")) == str(
+        LSystem.parse(f"axiom: FG\nF -> FF\n      {alone}")
+    )
+
+
+def test_what_stands_no_further_right_goes_on_in_nothing():
+    for text in (
+        "axiom: F\nF -> G\nG",
+        "  axiom: F\n  F -> G\n  G",
+        "axiom: F\n#angle 3\n  G",
+        "axiom: F\ngroup 1:\n  G",
+    ):
+        with pytest.raises(GrammarError, match="expected a production with '->'"):
+            LSystem.parse(text)
+
+
+def test_lines_without_number_go_on_at_once():
+    """Each line is looked at once: else a text of 20,000 lines would take minutes."""
+    text = "axiom: F\nF ->\n" + "\n".join(["  [ F"] * 9_990 + ["  ] F"] * 9_990)
+    assert len(LSystem.parse(text).derive(1)) == 4 * 9_990

@@ -84,8 +84,21 @@ def described(system, generations=None):
         f"derived: {WAYS[strategy(tables)]}",
         f"size: {size}",
         *features(tables),
-        *(f"constant: {constant.name} = {constant.value:.9g}" for constant in system.constants),
+        *map(turned, system.constants),
     ]
+
+
+def turned(constant):
+    """A line about a constant: its value, and what its slider goes from and to, in which unit, and means.
+
+    >>> from sweep_addon.core.grammars import LSystem
+    >>> turned(*LSystem.parse("#define a 45  # 0 .. 90 deg between branches\\naxiom: F").constants)
+    'constant: a = 45 deg, 0 to 90: between branches'
+    """
+    said = f"constant: {constant.name} = {constant.value:.9g}"
+    said += {"angle": " deg", "length": " m"}.get(constant.unit, "")
+    said += f", {constant.low:.9g} to {constant.high:.9g}" if constant.low is not None else ""
+    return said + (f": {constant.doc}" if constant.doc else "")
 
 
 def features(tables):

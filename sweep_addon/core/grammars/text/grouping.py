@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Productions that share a chance: those of one predecessor, context and condition that have a probability."""
 
-from .problems import Problem
+from .passages import problem
 
 ROUNDING = 1e-9  # by how much probabilities may miss 1
 
@@ -52,4 +52,4 @@ def check_probabilities(rules, problems, lines):
                 last = group[-1]
                 line = source[last.line]
                 expected = f"probabilities of {last.predecessor} that sum to at most 1"
-                problems.append(Problem(last.line, line.find("-(") + 1, f"{total:.6g}", expected, line))
+                problems.append(problem(line, last.line, line.find("-("), f"{total:.6g}", expected))

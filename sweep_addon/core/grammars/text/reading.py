@@ -12,23 +12,19 @@ from ..dialects import OTHERS, placed, translated
 from . import directives
 from .constants import constants
 from .directives import MOST_GENERATIONS, MOST_NAMES, directive
+from .going_on import AXIOM, SECTION, blocked, joined
 from .grouping import check_probabilities
 from .modules import NAME, Alphabet
 from .passages import ENDED, Passage, PassageError, shown
 from .printed import legend, typed
 from .problems import GrammarError, Problem
-from .productions import ARROW, production
+from .productions import production
 from .vocabulary import value, words
 
 LONGEST = 1_000_000  # characters of a text
 MOST_LINES = 20_000
 MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
-BLOCK = re.compile(r"\s*((?:start|end)(?: each)?)\s*:", re.IGNORECASE)
-SECTION = re.compile(
-    r"\s*(axiom|ω|productions|(?:group|lsystem)\s+\d{1,6}|decomposition|homomorphism|interpretation|maximum\s+depth)\s*:",
-    re.IGNORECASE,
-)
 
 
 class Reader:
@@ -39,7 +35,7 @@ class Reader:
         lines = list(enumerate(map(typed, re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff"))), 1))
         self.last = lines[-1]
         self.given = given
-        self.lines = [found for line in lines if (found := self.attempt(self.parted, *reversed(line)))]
+        self.lines = joined([found for line in lines if (found := self.attempt(self.parted, *reversed(line)))])
 
     def attempt(self, act, *told):
         """What reading a line gives, or nothing where it is wrong."""
@@ -178,7 +174,7 @@ class Reader:
         """What is left of a line that begins with the name of a section."""
         kind, *number = match.group(1).lower().replace("interpretation", "homomorphism").split()
         rest = passage.part(match.end())
-        if kind in ("axiom", "ω"):
+        if kind in AXIOM:
             if "axiom" in self.told:
                 passage.refuse("one axiom", 0, "a second one")
             if not rest.text:
@@ -205,12 +201,6 @@ class Reader:
         )
         named = {kind: tuple(kinds.get((kind, 0), ())) for kind in ("productions", "decomposition", "homomorphism")}
         return named | {"groups": groups, "systems": systems}
-
-
-def blocked(passage):
-    """Where a line of statements says which block they are of; None for other lines, and for what names begin with."""
-    match = BLOCK.match(passage.text)
-    return match if match and ARROW not in passage.text else None
 
 
 def numbers(given):
