@@ -51,7 +51,7 @@ def test_what_is_kept_from_one_mesh_to_the_next_changes_none(change):
     plant = replace(sw.Plant("axiom: A\nA -> F[+A]F(2)A&"), generations=3)
     plant.mesh()
     found = replace(plant, **change).mesh()
-    growing.quick.cache_clear()
+    growing.word.cache_clear()
     growing.figure.cache_clear()
     alone = replace(plant, **change).mesh()
     assert np.array_equal(found.vertices, alone.vertices) and len(found.vertices)
@@ -99,6 +99,44 @@ def test_what_takes_long_is_known_before_and_told_of_on_the_way():
 
     with pytest.raises(KeyboardInterrupt):
         plant.solid(stop)
+
+
+SLOW = "axiom: FFFF\nF < F > F : ran(1)<0.5 -> G\nG < F -> F\nF > G -> G\nG -> +F\n"  # its sizes are not foretold
+
+
+@pytest.mark.parametrize("budget", [1000, 2_000_000])
+def test_a_word_that_a_busy_machine_derives_slowly_takes_long_and_is_not_refused(monkeypatch, budget):
+    """Whatever its budget; and only until the machine has time again."""
+    plant = sw.Plant(SLOW, generations=50, budget=budget)
+    growing.word.cache_clear()
+    monkeypatch.setattr(growing, "MOMENT", -1.0)
+    assert plant.make_solid
+    at_length = plant.mesh(), plant.solid()
+    monkeypatch.undo()
+    assert not plant.make_solid and len(plant.mesh().vertices)
+    assert all(np.array_equal(mesh.vertices, plant.mesh().vertices) for mesh in at_length)
+
+
+def test_words_of_plants_are_derived_once_until_something_changes(monkeypatch):
+    derived = []
+    derive = sw.LSystem.derive
+    monkeypatch.setattr(sw.LSystem, "derive", lambda *told: derived.append(told) or derive(*told))
+    growing.word.cache_clear()
+    for change in ({}, {"angle": 10}, {"width": 0.2}, {"seed": 1}):
+        plant = replace(sw.Plant(SLOW, generations=50), **change)
+        assert not plant.make_solid and plant.mesh().euler_characteristic() == plant.mesh().euler_characteristic()
+    assert len(derived) == 2
+
+
+def test_a_refusal_that_is_kept_is_raised_anew_and_keeps_no_frames():
+    raised = []
+    for _ in range(2):
+        with pytest.raises(ShapeError) as refusal:
+            growing.read("axiom: F[")
+        raised.append(refusal.value)
+    kept = growing.tried("axiom: F[", growing.NONE)
+    assert kept not in raised and raised[0] is not raised[1] and str(raised[0]) == str(raised[1]) == str(kept)
+    assert kept.__traceback__ is kept.__context__ is None
 
 
 def test_forms_hold_text_and_constants():

@@ -10,12 +10,12 @@ import numpy as np
 from ..declared.grammar_text import Grammar, Values
 from ..declared.parameters import ShapeError
 from ..grammars import Budget, GrammarError, LSystem
-from ..grammars.deriving.budget import sized
+from ..grammars.deriving.budget import LateError, sized
 from ..grammars.deriving.growth import bounds, foretold
 from ..grammars.meshing.chart import Skin
 
 NONE = Values()
-QUICK, MOMENT = 400_000, 1.0  # modules, and seconds, up to which a word is derived while somebody waits
+QUICK, MOMENT = 400_000, 0.3  # modules, and seconds, up to which a word is derived while somebody waits
 BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
 
@@ -24,17 +24,20 @@ def read(text, constants=NONE):
     """The system of a text, with values for some of its constants."""
     found = tried(text, constants)
     if isinstance(found, ShapeError):
-        raise found.with_traceback(None)
+        raise found.inside("")
     return found
 
 
 @lru_cache(maxsize=16)
 def tried(text, constants):
-    """The system of a text, or its refusal: the sidebar asks with each draw, whatever somebody has written."""
+    """The system of a text, or its refusal: the sidebar asks with each draw, whatever somebody has written.
+
+    What is kept is a refusal that nobody has raised, so that it keeps no frames, and no two threads raise the same.
+    """
     try:
         return LSystem.parse(str(text), dict(constants))
     except ShapeError as refusal:
-        return refusal
+        return refusal.inside("")
 
 
 def problems(text):
@@ -105,29 +108,33 @@ def told(plant):
     return Grammar(replace(system(plant), heading=heading))
 
 
-@lru_cache(maxsize=2)
 def quick(text, constants, generations, seed, budget):
-    """The word of a text, which is kept for further meshes of it; None where it is long.
-
-    What its system says of angles, lengths and widths does not count for it.
-    """
+    """The word of a text; None where it is long, which is asked anew each time: the machine may have been busy."""
     try:
-        return read(text, constants).derive(generations, seed, Budget(min(budget, QUICK), seconds=MOMENT))
+        return word(text, constants, generations, seed, min(budget, QUICK))
+    except LateError:
+        return None
     except ShapeError as refusal:
         if refusal.key != "generations" or budget <= QUICK:
             raise
         return None
 
 
-@lru_cache(maxsize=1)
-def figure(text, constants, generations, seed, budget, system, upright):
-    """What the turtle of a system draws of a word that is not long."""
-    return drawn(quick(text, constants, generations, seed, budget), budget, system, upright)
+@lru_cache(maxsize=2)
+def word(text, constants, generations, seed, modules):
+    """The word of a text, which is kept for further meshes of it once it is derived.
+
+    What its system says of angles, lengths and widths does not count for it.
+    """
+    return read(text, constants).derive(generations, seed, Budget(modules, seconds=MOMENT))
 
 
 def drawn(word, budget, system, upright):
     """What the turtle of a system draws of a word."""
     return word.figure(upright, within(budget), system)
+
+
+figure = lru_cache(maxsize=1)(drawn)  # of a word that is not long
 
 
 def mesh(plant, dtype):
@@ -152,9 +159,11 @@ def made(plant, progress, dtype=np.float64):
 
 def shown(plant):
     """The figure of a plant, which is kept where its word is not long."""
-    if takes_long(plant) or quick(*asked(plant)) is None:
+    sizes, _ = known(plant.system, plant.constants, plant.generations)
+    word = None if sizes and max(sizes) > QUICK else quick(*asked(plant))
+    if word is None:
         return at_length(plant, lambda part: None)
-    return figure(*asked(plant), system(plant), plant.upright.upright)
+    return figure(word, plant.budget, system(plant), plant.upright.upright)
 
 
 def at_length(plant, progress):

@@ -43,6 +43,10 @@ class Budget:
             raise ShapeError(f"must take at most {self.bytes:,} bytes, but needs about {sized(int(size))}", key)
 
 
+class LateError(ShapeError):
+    """A refusal of what took too long: a quicker machine may not refuse it."""
+
+
 class Meter:
     """Watches a derivation: refuses what is over the budget, and tells how far it is."""
 
@@ -89,7 +93,7 @@ class Meter:
         now = monotonic()
         if now > self.end:
             at = f"generation {min(generation, self.generations)} of {self.generations} took longer"
-            raise ShapeError(f"must take at most {self.budget.seconds:g} seconds, but {at}", "generations")
+            raise LateError(f"must take at most {self.budget.seconds:g} seconds, but {at}", "generations")
         return now
 
 
