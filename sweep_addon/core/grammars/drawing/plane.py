@@ -8,9 +8,11 @@ Where no turn says its angle, turns are counted in whole numbers and each headin
 import numpy as np
 
 from . import turns
+from .running import Running
 
 WIDEST = 1 << 20  # headings in a table
 BLOCK = 1 << 15  # modules
+COUNTED = 256  # by a byte
 
 
 class Plane:
@@ -23,39 +25,47 @@ class Plane:
 
     def __init__(self, walk):
         self.walk = walk
+        self.at_first = 90.0 if walk.along == "y" else 0.0  # degrees
         self.halves = self.counted("|", "") % 2 if walk.named.get("|") else None
+
+    def sense(self, left, right):
+        """(s,) int8 array: which modules turn left by a step, and which right."""
+        found = np.zeros(len(self.walk.word.tables.symbols), dtype=np.int8)
+        found[self.walk.numbers(left)] = 1
+        found[self.walk.numbers(right)] = -1
+        return found
 
     def counted(self, left, right):
         """(m,) int array: how often the turtle has turned left, and how often less right, on its way to each move."""
-        walk = self.walk
-        sense = np.zeros(len(walk.word.tables.symbols), dtype=np.int8)
-        sense[walk.numbers(left)] = 1
-        sense[walk.numbers(right)] = -1
-        steps = walk.looked_up(sense)
+        walk, sense = self.walk, self.sense(left, right)
         if len(walk.branches.brackets):
-            return walk.branches.counts_at(steps, walk.moves, walk.first)
-        found, until = np.empty(len(walk.moves), dtype=np.int32), 0
-        edges = range(0, len(steps), BLOCK)
+            return walk.branches.counts_at(walk.looked_up(sense), walk.moves, walk.sums)
+        found = np.empty(len(walk.moves), dtype=np.int32)
+        for part, places, sums in self.blocks(sense):
+            found[part] = sums.at(places)
+        return found
+
+    def blocks(self, sense):
+        """Which moves are in each block of modules, where in it, and the sums of steps there; without branches."""
+        walk, before = self.walk, 0
+        edges = range(0, len(walk.symbols), BLOCK)
         stops = np.searchsorted(walk.moves, [edge + BLOCK for edge in edges]).tolist()
         for edge, begin, stop in zip(edges, [0, *stops], stops, strict=False):
-            counted = np.cumsum(steps[edge : edge + BLOCK], dtype=np.int32)
-            counted += until
-            counted.take(walk.moves[begin:stop] - edge, out=found[begin:stop])
-            until = counted[-1]
-        return found
+            sums = Running(walk.looked_up(sense, slice(edge, edge + BLOCK)), before)
+            before = sums.total
+            yield slice(begin, stop), walk.moves[begin:stop] - edge, sums
 
     def degrees(self):
         """Angles, and which of them each move has; None where each has its own."""
         walk = self.walk
-        first = 90.0 if walk.along == "y" else 0.0
         if walk.turns_differ:
-            return first + self.added(), None
+            return self.at_first + self.added(), None
         count = self.counted("+", "-")
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
         if most - least > WIDEST:
-            return first + count * walk.system.angle, None
+            return self.at_first + count * walk.system.angle, None
         count -= least
-        return first + np.arange(least, most + 1) * walk.system.angle, count
+        return self.at_first + np.arange(least, most + 1) * walk.system.angle, count
 
     def added(self):
         """(m,) float array: the sum of the angles that turns say, on the way to each move."""
@@ -87,18 +97,32 @@ class Plane:
 
         What is on the way to them stays in a processor's cache.
         """
-        (found, which), count = self.headings(), len(self.walk.moves)
-        found = found * length
+        count = len(self.walk.moves)
         made = np.zeros((count + 1, 3))
         on_the_way = np.zeros(BLOCK + 1, dtype=complex)
-        for start in range(0, count, BLOCK):
-            part = slice(start, min(start + BLOCK, count))
-            place = on_the_way[: part.stop - start + 1]
-            place[1:] = found[part] if which is None else found.take(which[part])
+        for part, ways in self.parts(length):
+            place = on_the_way[: part.stop - part.start + 1]
+            place[1:] = ways
             np.cumsum(place, out=place)
-            made[start + 1 : part.stop + 1, 0], made[start + 1 : part.stop + 1, 1] = place[1:].real, place[1:].imag
+            part = slice(part.start + 1, part.stop + 1)
+            made[part, 0], made[part, 1] = place[1:].real, place[1:].imag
             on_the_way[0] = place[-1]
         return made[:-1], made[1:]
+
+    def parts(self, length):
+        """Moves in rows, and the ways that they go.
+
+        Where 256 turns are whole turns of the circle, a byte counts enough of them.
+        """
+        walk = self.walk
+        if walk.turns_differ or self.halves is not None or walk.system.angle * COUNTED % 360:
+            ways = self.ways(length)
+            for start in range(0, len(ways), BLOCK):
+                yield slice(start, min(start + BLOCK, len(ways))), ways[start : start + BLOCK]
+            return
+        found = turns.unit(self.at_first + np.arange(COUNTED) * walk.system.angle) * length
+        for part, places, sums in self.blocks(self.sense("+", "-")):
+            yield part, found.take(sums.bytes.take(places))
 
     def quaternions(self):
         """Quaternions at each move."""

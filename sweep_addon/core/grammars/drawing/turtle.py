@@ -23,6 +23,7 @@ from .cylinders import MARKS, Cylinders, marked
 from .figure import Figure
 from .plane import Plane
 from .scaling import ANGLE, LENGTH, scaled
+from .sums import Sums
 from .tokens import LEVELS, SPATIAL, TURNS, Tokens
 
 DRAWS, SKIPS = ("F", "G"), ("f",)
@@ -83,6 +84,11 @@ class Walk:
         """(b + 2,) int array: which of the moves is the first of each stretch, and how many there are."""
         return self.branches.first(self.is_moving)
 
+    @cached_property
+    def sums(self):
+        """Of the moves, what adds up on the way to each."""
+        return Sums(self.branches, self.first)
+
     def numbers(self, *names):
         """The numbers of all modules of these names."""
         return [number for name in names for number, _ in self.named.get(name, ())]
@@ -97,12 +103,12 @@ class Walk:
         """(n,) bool array: which modules of the word are of these names."""
         return self.looked_up(self.table(*names, given=given))
 
-    def looked_up(self, table):
+    def looked_up(self, table, part=slice(None)):
         """(n,) array: what a table of bytes holds for each module; `bytes` looks up five times as fast as NumPy."""
         if self.bytes is None:
-            return table[self.symbols]
+            return table[self.symbols[part]]
         whole = table.tobytes().ljust(256, b"\0")
-        return np.frombuffer(self.bytes.translate(whole), dtype=table.dtype)
+        return np.frombuffer(self.bytes[part].translate(whole), dtype=table.dtype)
 
     def parameter(self, places, default):
         """(n,) float array, or one number for all: the first parameter of modules, or the default where none is."""
@@ -132,16 +138,14 @@ class Walk:
         if not self.spatial and self.along != "z":
             plane = Plane(self)
             if np.ndim(length) or len(self.branches.brackets):
-                ways = self.branches.sums(plane.ways(length), self.first)
-                start, end = self.points([[way.real, way.imag] for way in ways])
+                start, end = self.points(plane.ways(length))
             else:
                 start, end = plane.path(length)
             found = plane.quaternions
         else:
             pair = Tokens(self).orientations()
             x, yz = turns.heading(*pair)
-            (x, x_end), (yz, yz_end) = (self.branches.sums(way * length, self.first) for way in (x, yz))
-            start, end = self.points([[x, yz.real, yz.imag], [x_end, yz_end.real, yz_end.imag]])
+            start, end = self.points(x * length, yz * length)
 
             def found():
                 return pair
@@ -150,19 +154,22 @@ class Walk:
             start, end = self.cylinders.shaped(self, start, end, found())
         return Figure(self, start, end, found)
 
-    def points(self, columns):
-        """Two (n, 3) float arrays of columns; without branches each move begins in memory where the last one ends."""
-        count = len(self.moves)
-        if len(self.branches.brackets) or not count:
-            made = np.zeros((2, count, 3))
-            for points, ways in zip(made, columns, strict=True):
-                for column, way in enumerate(ways):
-                    points[:, column] = way
-            return made
-        made = np.zeros((count + 1, 3))
-        for column, way in enumerate(columns[1]):
-            made[1:, column] = way
-        return made[:-1], made[1:]
+    def points(self, *ways):
+        """Two (n, 3) float arrays: where moves begin and end that go ways, real ones along x or complex ones across."""
+        count, branched = len(self.moves), bool(len(self.branches.brackets))
+        made = np.empty((2, count, 3) if branched else (count + 1, 3))  # large blocks are what allocators keep
+        start, end = made if branched else (made[:-1], made[1:])  # without branches each begins where the last one ends
+        sums = [self.sums.of(way) for way in ways]
+        columns = parts(after for after, _ in sums)
+        end[:, len(columns) :] = 0
+        for column, after in enumerate(columns):
+            end[:, column] = after
+        start[:1] = 0
+        if branched:
+            start[1:], behind = end[:-1], self.sums.ended
+            for column, back in enumerate(parts(back.take(behind) for _, back in sums)):
+                start[behind, column] -= back
+        return start, end
 
     @property
     def up(self):
@@ -184,3 +191,8 @@ class Walk:
     def levels(self):
         """Whether the word may have what rolls the turtle level."""
         return bool(self.numbers(*LEVELS))
+
+
+def parts(numbers):
+    """Arrays of numbers as real ones: complex ones are two."""
+    return [part for each in numbers for part in ((each.real, each.imag) if np.iscomplexobj(each) else (each,))]
