@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Generalized cylinders of a turtle: Hermite curves through control points, and tubes along them."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
 from sweep_addon.core.declared.parameters import ShapeError
-from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.grammars import Budget, LSystem
 
 
 def figure(axiom, head=""):
@@ -107,3 +109,13 @@ def test_births_and_homomorphisms_reach_the_segments_of_a_curve():
     found = system.derive(3).figure()
     assert found.birth.tolist() == [3] * 6  # those of the homomorphism, which the last step makes
     assert found.end[1::2, 0].tolist() == [1, 2, 3]
+
+
+def test_segments_are_weighed_before_they_are_made():
+    word = LSystem.parse("axiom: @Gs " + "f(1)@Gc(1000)" * 500).derive(0)
+    tracemalloc.start()
+    with pytest.raises(ShapeError, match="^figure: must take at most 1,000,000 bytes, but needs about 1"):
+        word.figure(budget=Budget(bytes=1_000_000))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 1_000_000

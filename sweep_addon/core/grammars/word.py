@@ -104,9 +104,9 @@ class Word:
         """
         from .drawing.turtle import Walk
 
-        told = self.interpreted(budget)
-        (budget or Budget()).of_arrays(len(told) * OF_MODULE, "figure")
-        return Walk(told, upright, system).figure()
+        told, budget = self.interpreted(budget), budget or Budget()
+        budget.of_arrays(len(told) * OF_MODULE, "figure")
+        return Walk(told, upright, system, budget=budget).figure()
 
     def __str__(self):
         """The modules in the notation of the book: parameters of six digits, no blanks."""

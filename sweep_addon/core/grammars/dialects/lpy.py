@@ -14,7 +14,7 @@ It takes widths as radii, turns by 60 degrees where nothing is said, and derives
 import re
 
 from ..drawing.turtle import EDGE
-from ..text.modules import NAME
+from ..text.modules import Alphabet
 from ..text.passages import Passage, PassageError, shown
 from ..text.productions import around
 from .words import modules, outside, unknown
@@ -70,8 +70,8 @@ class Reader:
         found = [DECLARED.match(line.partition("#")[0].strip()) for line in lines]
         declared = [name for match in filter(None, found) for name in re.findall(r"([A-Za-z_]\w*)", bare(match[1]))]
         self.declared = dict.fromkeys(declared)
-        self.known = {*declared, *(name for name in (*NAMES, *OTHERS) if name.isalnum())}
-        self.longest = min(max(map(len, self.known)), LONGEST_NAME)
+        known = (*declared, *(name for name in (*NAMES, *OTHERS) if name.isalnum()))
+        self.known = Alphabet(name for name in known if len(name) <= LONGEST_NAME)
         self.section, self.python, self.depths = "", False, dict.fromkeys(DEPTHS, "")
 
     def line(self, passage):
@@ -106,7 +106,7 @@ class Reader:
         kind = " ".join(match[1].lower().split())
         kind = "homomorphism" if kind == "interpretation" else kind
         rest = passage.part(match.start(3))
-        if kind == "group" and int(match[2] or 0):
+        if kind == "group" and match[2].strip("0"):
             passage.refuse("group 0, for the others are chosen by Python", 0, shown(passage.text))
         if kind == "axiom":
             return f"axiom: {self.word(rest)}"
@@ -169,11 +169,9 @@ class Reader:
 
     def named(self, text, at):
         """The longest declared name at a place, or the sign or letter there."""
-        if not (text[at].isalpha() or text[at] == "_"):
-            return SIGNS.match(text, at)[0] if SIGNS.match(text, at) else text[at]
-        run = NAME.match(text[at : at + self.longest])
-        longest = run.end() if run else 1
-        return next((text[at : at + k] for k in range(longest, 1, -1) if text[at : at + k] in self.known), text[at])
+        if text[at].isalpha() or text[at] == "_":
+            return self.known.named(text, at) if text[at] in self.known.initials else text[at]
+        return SIGNS.match(text, at)[0] if SIGNS.match(text, at) else text[at]
 
     def formula(self, passage, whole=None, said=None):
         """A formula, which is text here as there, where it has no angles."""
@@ -188,14 +186,18 @@ class Reader:
         """Lines that say what this program says of itself."""
         said = "\n".join(made)
         yield from (line for line in GRANTED if line.split()[0] not in said)
-        yield from ["#names G_"] if "G_" in said and "G" not in self.declared else []
+        other = self.renamed("G")
+        yield from [f"#names {other}"] if other in said and "G" not in self.declared else []
         for section, depth in self.depths.items():
             yield from [f"{section}:", depth] if depth else []
 
-    @staticmethod
-    def renamed(name):
-        """A name that draws nothing there and must not here."""
-        return f"{name}_" if name == "G" or EDGE.fullmatch(name) else name
+    def renamed(self, name):
+        """A name that draws nothing there and must not here, and that no other module has."""
+        if name == "G" or EDGE.fullmatch(name):
+            name += "_"
+            while name in self.declared:
+                name += "_"
+        return name
 
 
 def bare(text):

@@ -5,6 +5,7 @@
 import re
 
 from ..text.passages import Passage, shown
+from .words import after_blanks
 
 COMMENT = re.compile(r"/[*/]")
 DEFINED = re.compile(r"\s*#\s*define\s+([A-Za-z_]\w*)(\(([^()]*)\))?\s*(.*)", re.DOTALL)
@@ -81,6 +82,8 @@ class Pasting:
         PassageError
             Where constants need each other, become too long, or a macro has other parameters.
         """
+        if self.known:
+            short(len(line), source)
         for _ in range(MOST_PASTED if self.known else 0):
             self.spend(len(line), source)
             longer = self.once(line, source)
@@ -111,14 +114,13 @@ class Pasting:
             at = end
             if size > LONGEST:
                 break
-        if size + len(line) - at > LONGEST:
-            source.refuse(f"at most {LONGEST} characters where constants are pasted", 0, f"{size + len(line) - at}")
+        short(size + len(line) - at, source)
         return "".join((*parts, line[at:]))
 
     @staticmethod
     def given(line, at, source):
         """The parameters in the brackets behind a macro, and where these end; None where there are none."""
-        start = at + len(line[at:]) - len(line[at:].lstrip())
+        start = after_blanks(line, at)
         if line[start : start + 1] != "(":
             return None, at
         depth, begin, found = 0, start + 1, []
@@ -130,3 +132,9 @@ class Pasting:
             if not depth:
                 return found, place + 1
         source.refuse("')' behind the parameters of a macro", 0, shown(line[at:].strip()))
+
+
+def short(size, source):
+    """Refuse a line that is, or becomes, too long."""
+    if size > LONGEST:
+        source.refuse(f"at most {LONGEST} characters where constants are pasted", 0, f"{size}")

@@ -26,6 +26,7 @@ MARKS, TANGENTS = ("@Gs", "@Gc", "@Ge"), "@Gt"
 BEGUN, OPENED = 1, (1, 2)  # kinds of marks, from 1
 SEGMENTS = 8  # between two control points, where nothing is said
 MOST_SEGMENTS, MOST = 1000, 20_000_000  # between two control points, and modules of a word with all segments
+OF_SEGMENT = 200  # bytes of all arrays of a figure while it is drawn, for each module of the word with all segments
 APART = 1.2  # by how much tangents are longer than the points are apart, where nothing is said
 
 
@@ -40,6 +41,8 @@ class Cylinders:
     Parameters
     ----------
     word : Word
+    budget : Budget, optional
+        Of the arrays of a figure of all segments.
 
     Attributes
     ----------
@@ -55,7 +58,7 @@ class Cylinders:
         Which modules stand in a cylinder that is begun and not ended.
     """
 
-    def __init__(self, word):
+    def __init__(self, word, budget=None):
         names = [name for name, _ in word.tables.symbols]
         symbols = word.symbols
         kind = np.array([MARKS.index(name) + 1 if name in MARKS else 0 for name in names], dtype=np.uint8)[symbols]
@@ -70,6 +73,8 @@ class Cylinders:
         times = np.ones(len(symbols), dtype=np.intp)
         times[places] = segments(word, places)
         require(times.sum() <= MOST, f"must have at most {MOST:,} segments", int(times.sum()), MARKS[1])
+        if budget:
+            budget.of_arrays(int(times.sum()) * OF_SEGMENT, "figure")
         stop = np.cumsum(times)
         of = np.repeat(np.arange(len(symbols)), times)
         nth = np.arange(len(of)) - (stop - times)[of]

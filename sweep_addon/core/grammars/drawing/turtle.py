@@ -44,11 +44,13 @@ class Walk:
         Whose angle, step, width and tropism count; else that of the word.
     stops : tuple of int
         Numbers of further modules where it stops, as at moves of no length.
+    budget : Budget, optional
+        Of the arrays of the word in which marks stand once for each of their segments.
     """
 
-    def __init__(self, word, upright=None, system=None, stops=()):
+    def __init__(self, word, upright=None, system=None, stops=(), budget=None):
         self.asked, self.system = (word, upright, system), system or word.tables.system
-        self.cylinders = Cylinders(word) if marked(word) else None
+        self.cylinders = Cylinders(word, budget) if marked(word) else None
         if self.cylinders:
             word = Word(word.tables, self.cylinders.state, word.generations, word.seed)
         self.word, self.symbols = word, word.symbols

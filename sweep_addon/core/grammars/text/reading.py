@@ -6,7 +6,7 @@ import re
 from dataclasses import fields
 from math import isfinite, nan
 
-from ...declared.parameters import ShapeError, require
+from ...declared.parameters import require
 from ..deriving.statements import MOST_VARIABLES, assigned, statements
 from ..dialects import OTHERS, placed, translated
 from . import directives
@@ -25,6 +25,7 @@ LONGEST = 1_000_000  # characters of a text
 MOST_LINES = 20_000
 MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
+BREAK = re.compile(r"\r\n|\r|\n")
 
 
 class Reader:
@@ -32,7 +33,7 @@ class Reader:
 
     def __init__(self, text, given):
         self.problems, self.told, self.following, self.rules = [], {}, {}, []
-        lines = list(enumerate(map(typed, re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff"))), 1))
+        lines = list(enumerate(map(typed, BREAK.split(text.removeprefix("\ufeff"))), 1))
         self.last = lines[-1]
         self.given = given
         self.lines = joined([found for line in lines if (found := self.attempt(self.parted, *reversed(line)))])
@@ -45,6 +46,13 @@ class Reader:
             self.problems.append(wrong.problem)
             if len(self.problems) > MOST_PROBLEMS:
                 raise GrammarError(self.problems) from None
+
+    def refuse(self, expected, found, passage):
+        """Refuse the whole text for how many of something there are up to a passage."""
+        try:
+            passage.refuse(expected, 0, f"{len(found):,}")
+        except PassageError as wrong:
+            raise GrammarError([*self.problems, wrong.problem]) from None
 
     def parted(self, line, number):
         """A line as the word of its directive, or nothing, its passage without comment, and the comment."""
@@ -62,7 +70,8 @@ class Reader:
         """The parts of the system, by their names."""
         names = [name for passage, _ in self.told_of("names") for name in self.attempt(directives.names, passage) or ()]
         self.told["names"] = tuple(dict.fromkeys(name for name in names if len(name) > 1))
-        require(len(names) <= MOST_NAMES, f"must have at most {MOST_NAMES} names", len(names))
+        if len(names) > MOST_NAMES:
+            self.refuse(f"at most {MOST_NAMES:,} names", names, self.told_of("names")[-1][0])
         self.alphabet = Alphabet(self.told["names"])
         self.told["constants"], problems = constants(self.told_of("define"), self.given)
         self.problems += problems
@@ -93,7 +102,8 @@ class Reader:
             block = not word and blocked(passage)
             if block:
                 found |= dict.fromkeys(name for name, _ in self.attempt(assigned, passage.part(block.end())) or ())
-        require(len(found) <= MOST_VARIABLES, f"must have at most {MOST_VARIABLES} variables", len(found))
+            if len(found) > MOST_VARIABLES:
+                self.refuse(f"at most {MOST_VARIABLES:,} variables", found, passage)
         return tuple(found)
 
     def told_of(self, word):
@@ -216,6 +226,19 @@ def numbers(given):
     return found
 
 
+def check_length(text):
+    """Refuse a text that is too long, where it begins to be."""
+    lines = 1 + text.count("\n") + text.count("\r") - text.count("\r\n")
+    if len(text) <= LONGEST and lines <= MOST_LINES:
+        return
+    allowed = BREAK.split(text[:LONGEST], MOST_LINES)
+    number, column, source = len(allowed), len(allowed[-1]) + 1, allowed[-1]
+    if number > MOST_LINES:
+        column, source = 1, BREAK.split(source, 1)[0]
+    most, found = f"at most {LONGEST:,} characters in {MOST_LINES:,} lines", f"{len(text):,} in {lines:,}"
+    raise GrammarError([Problem(number, column, found, most, source)])
+
+
 def read(kind, text, given):
     """The system that a text describes.
 
@@ -233,10 +256,7 @@ def read(kind, text, given):
         With every line that is wrong, up to 200.
     """
     require(isinstance(text, str), "must be text", text)
-    lines = 1 + text.count("\n") + text.count("\r") - text.count("\r\n")
-    if len(text) > LONGEST or lines > MOST_LINES:
-        most = f"at most {LONGEST:,} characters in {MOST_LINES:,} lines"
-        raise ShapeError(f"must have {most}, got {len(text):,} in {lines:,}", "grammar")
+    check_length(text)
     try:
         told = Reader(translated(text), numbers(given)).read()
     except GrammarError as refusal:
