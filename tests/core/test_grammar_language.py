@@ -274,3 +274,27 @@ def test_thousands_of_productions_are_no_trap(rules):
     except ShapeError as refusal:
         assert len(str(refusal)) < 20_000
     assert time.process_time() - started < 20
+
+
+@pytest.mark.parametrize("number", ["0.4", "2", "1/3", "-1", "1e-1", "1/0", "(.5)"])
+def test_a_number_is_no_condition(number):
+    """It would always hold, where a probability is meant that programs write elsewhere."""
+    with pytest.raises(GrammarError, match=r"line 2, column 5: expected a condition that compares, .* -\(0.4\)->"):
+        LSystem.parse(f"axiom: A\nA : {number} -> B")
+
+
+@pytest.mark.parametrize("condition", ["1", "0", "2 > 1", "p", "p > 0.3", "ran(1) < 2", "x"])
+def test_always_never_and_what_names_say_are_conditions(condition):
+    word = LSystem.parse(f"#define p 0.4\naxiom: A(1)\nA(x) : {condition} -> B").derive(1)
+    assert str(word) == ("A(1)" if condition == "0" else "B")
+
+
+@pytest.mark.parametrize("text", ["#dialect cpfg\nAxiom: A\nA : .4 --> B", "#dialect houdini\nPremise: A\nA:0.4=B"])
+def test_a_fraction_is_no_condition_of_another_program(text):
+    with pytest.raises(GrammarError, match="line 3, .* compares, for a probability stands behind the successor"):
+        LSystem.parse(text)
+
+
+def test_a_probability_without_a_value_is_told_how_to_have_one():
+    with pytest.raises(GrammarError, match="of a probability p is a number: #define p 0.5, found 'A -"):
+        LSystem.parse("axiom: A\nA -(p)-> B")

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A plant is what its grammar draws, with numbers of its own where some are given; it is told of before it is made."""
 
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
@@ -84,6 +85,25 @@ def test_a_word_beyond_the_budget_is_refused_with_its_size():
     assert not doubling.make_solid and growing.size(doubling).startswith(
         "1,099,511,627,776 modules; one step more makes 2,1"
     )
+
+
+@pytest.mark.parametrize(
+    ("generations", "output", "said"),
+    [
+        (19, {"kind": "tubes", "sides": 256}, f"output.sides: must .*, but needs about {(2**19 + 1) * 256 * 120:,}"),
+        (22, "edges", f"budget: must .*, but needs about {2 * 2**22 * 120:,}"),
+    ],
+)
+def test_a_mesh_beyond_the_budget_is_refused_before_it_takes_memory(generations, output, said):
+    """A straight row is one axis, so that a tube has a ring more than segments; edges have two ends each."""
+    plant = sw.Plant("axiom: F\nF -> FF", generations=generations, output=output, budget=5_000_000)
+    tracemalloc.start()
+    try:
+        with pytest.raises(ShapeError, match=said):
+            plant.mesh()
+        assert tracemalloc.get_traced_memory()[1] < 2**29
+    finally:
+        tracemalloc.stop()
 
 
 def test_what_takes_long_is_known_before_and_told_of_on_the_way():

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..declared.grammar_text import Grammar, Values
-from ..declared.parameters import ShapeError
+from ..declared.parameters import ShapeError, at
 from ..grammars import Budget, GrammarError, LSystem
 from ..grammars.deriving.budget import LateError, sized
 from ..grammars.deriving.growth import bounds, foretold
@@ -176,7 +176,8 @@ def at_length(plant, progress):
 def skinned(figure, plant, dtype):
     """The mesh of a figure as a plant asks for it."""
     sides, budget = getattr(plant.output, "sides", 0), within(plant.budget)
-    return figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
+    with at("output" if sides else "budget"):
+        return figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
 
 
 def within(modules):

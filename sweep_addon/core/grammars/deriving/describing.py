@@ -72,20 +72,23 @@ def described(system, generations=None):
         limits = bounds(tables, generations)
         said = f"{sized(limits[0])} to {sized(limits[1])} modules" if limits else "not foretold"
         size = f"{said} after {generations} generations"
-    every = (
-        system.productions,
-        *(group for _, group in (*system.groups, *system.systems)),
-        system.decomposition,
-        system.homomorphism,
-    )
     return [
         f"class: {kind(system)}",
-        f"productions: {sum(map(len, every))}",
+        f"productions: {sum(1 for _ in productions(system))}",
         f"derived: {WAYS[strategy(tables)]}",
         f"size: {size}",
         *features(tables),
         *map(turned, system.constants),
     ]
+
+
+def productions(system):
+    """All productions, of every section."""
+    yield from system.productions
+    for _, group in (*system.groups, *system.systems):
+        yield from group
+    yield from system.decomposition
+    yield from system.homomorphism
 
 
 def turned(constant):
@@ -114,5 +117,23 @@ def features(tables):
         yield f"asks: {', '.join(of_turtle)}, which a turtle answers after each step"
     if ENVIRONMENT in asked:
         yield f"asks: {ENVIRONMENT}, which an environment answers; that is a function of Python, and no file has one"
+    yield from map(always, filter(chancy, productions(system)))
     if system.heading:
         yield f"heading: {system.heading}"
+
+
+def chancy(rule):
+    """Whether a condition is a fraction, by constants: it always holds, but reads like a probability."""
+    return rule.condition is not None and not rule.condition.names and 0 < rule.condition.run({}) < 1
+
+
+def always(rule):
+    """A line about a condition that is a fraction.
+
+    >>> from sweep_addon.core.grammars import LSystem
+    >>> always(*LSystem.parse("#define p 0.4\\naxiom: A\\nA : p -> B").productions)
+    'condition: p of A is 0.4, which always holds; a probability stands in the arrow: -(p)->'
+    """
+    text = rule.condition.text
+    told = f"condition: {text} of {rule.predecessor} is {rule.condition.run({}):.9g}, which always holds"
+    return f"{told}; a probability stands in the arrow: -({text})->"

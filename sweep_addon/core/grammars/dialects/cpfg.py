@@ -17,7 +17,7 @@ from ..text.passages import Passage, PassageError, shown
 from ..text.productions import around
 from .local import Locals, parted
 from .pasting import DEFINED, Pasting, joined, uncommented
-from .words import last_outside, modules, outside, unknown
+from .words import comparing, last_outside, modules, outside, unknown
 
 KEYWORDS = {  # what a line of the book says in its place; None where it says nothing
     "lsystem": None,
@@ -93,7 +93,9 @@ class Reader:
             return ""
         if line.lstrip().startswith("#") and "-->" not in line:
             if not line.lstrip().startswith("#dialect"):
-                source.refuse("#define", 0, shown(source.text))
+                file = source.text.removeprefix("#").lstrip().startswith("include")
+                expected = "the lines of that file in its place, for no file reads another" if file else "#define"
+                source.refuse(expected, 0, shown(source.text))
             return line
         line = self.pasting.pasted(line, source)
         line = ABSOLUTE.sub("abs", line)
@@ -158,6 +160,7 @@ class Reader:
         own.assign(before)
         condition = own.told(condition)
         own.assign(behind)
+        comparing(condition, source)
         condition = f" : {condition}" if condition not in ("", "*") else ""
         contexts = re.sub(r"^\s*\*\s*<|>\s*\*\s*$", "", contexts).replace("=]", "]")
         left, strict, right = (part and self.heads(part) for part in around(Passage(contexts, source.number)))

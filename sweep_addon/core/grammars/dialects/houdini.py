@@ -13,7 +13,7 @@ import re
 from ..deriving.draws import DRAWS
 from ..text.passages import Passage, PassageError, shown
 from ..text.productions import around
-from .words import last_outside, modules, outside, unknown
+from .words import comparing, last_outside, modules, outside, unknown
 
 WORDS = re.compile(r"[A-Za-z]+(?: +[A-Za-z]+)* *\d*")  # before the colon of a setting
 LONGEST_WORDS = 40
@@ -102,6 +102,7 @@ class Reader:
         head, body = passage.part(0, at), passage.part(at + 1)
         colon = outside(head.text, ":")
         contexts, condition = (head.part(0, colon), head.part(colon + 1).text) if colon >= 0 else (head, "")
+        comparing(condition, passage)
         colon = last_outside(body.text, ":")
         chance = body.part(colon + 1).text if colon >= 0 else ""
         body = body.part(0, colon) if colon >= 0 else body

@@ -9,6 +9,7 @@ from ..text.modules import bracketed
 from ..text.passages import Passage, shown
 
 PRINTED = re.compile("[!-~]")
+FRACTION = re.compile(r"0*\.\d*[1-9]\d*", re.ASCII)
 
 
 class Said(NamedTuple):
@@ -95,3 +96,9 @@ def last_outside(text, sign):
 def unknown(passage, said, what="a symbol that has a meaning here"):
     """Refuse a module that the book has not."""
     passage.refuse(what, said.at, shown(said.told()))
+
+
+def comparing(condition, source):
+    """Refuse a condition that is a fraction, which always holds: who writes one means a probability."""
+    if FRACTION.fullmatch(condition.strip()):
+        source.refuse("a condition that compares, for a probability stands behind the successor", 0, shown(condition))

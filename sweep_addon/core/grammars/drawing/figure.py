@@ -251,7 +251,7 @@ class Figure:
 
         if budget is not None:
             rings = 2 * len(self) if sides == 0 else len(self) + int(np.count_nonzero(~self.joined))
-            budget.of_arrays(rings * max(sides, 1) * OF_VERTEX, "sides")
+            budget.of_arrays(rings * max(sides, 1) * OF_VERTEX, "sides" if sides else "")
         return mesh(self, sides, texture, attributes, dtype)
 
     def changing(self, name, default, combine, change, place):

@@ -74,7 +74,7 @@ def polygons(figure, chart, dtype):
     """A mesh of the polygons of a figure, each a face of its own; its chart is like that of the segments."""
     filled = figure.filled
     count, sizes = len(filled.points), np.diff(filled.offsets)
-    require_few(count, "sides")
+    require_few(count, "")
     corners = np.arange(count, dtype=np.int32)
     ahead = corners + 1
     ahead[filled.offsets[1:] - 1] = filled.offsets[:-1]

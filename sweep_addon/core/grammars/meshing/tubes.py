@@ -37,7 +37,7 @@ def mesh(figure, sides, texture=Texture.NONE, attributes=True, dtype=np.float64)
 def wires(figure, attributes, dtype):
     """Segments as edges, which share vertices where one goes on from the other."""
     count = len(figure)
-    require_few(2 * count, "sides")
+    require_few(2 * count, "")
     own = ~figure.follows
     start = np.where(own, count + np.cumsum(own) - 1, figure.parent)
     edges = np.column_stack((start, np.arange(count))).astype(np.int32)

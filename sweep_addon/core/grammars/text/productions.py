@@ -14,6 +14,7 @@ from .vocabulary import draws, formula, value, words
 ARROW, EMPTY = "->", "*"
 ALWAYS = "*"  # the book's condition where there is none
 ANY = "*"  # its context where there is none
+NAMED = re.compile(r"(?<![\w.])[A-Za-z_]", re.ASCII)  # the e of a number is no name
 LABEL = re.compile(r"(p_?\d+)\s*:", re.ASCII)  # as the book numbers its productions
 
 
@@ -126,12 +127,22 @@ def patterned(passage, alphabet, constants, variables=()):
     if condition is not None and condition.text == ALWAYS:
         condition = None
     if condition is not None:
-        condition = formula(condition, names, words(constants))
+        condition = conditional(condition, names, constants)
     share = value(chance, words(constants, random=False)) if chance else 1.0
     if not 0 <= share <= 1:
         chance.refuse("a probability from 0 to 1", 0, f"{share:g}")
     said = formula(chance, (), words(constants, random=False)) if chance else None
     return Production(strict, (), left, right, condition, said, share, passage.number), names
+
+
+def conditional(passage, names, constants):
+    """The formula of a condition. A mere number always holds, but who writes one most likely means a probability; 0 and
+    1 are how programs write never and always."""
+    read = formula(passage, names, words(constants))
+    if not NAMED.search(passage.text) and read.run({}) not in (0, 1):
+        expected = "a condition that compares, for a probability stands in the arrow as -(0.4)->"
+        passage.refuse(expected, 0, shown(passage.text))
+    return read
 
 
 def arrow(passage):
@@ -228,6 +239,10 @@ def strict_predecessor(passage, alphabet):
     if len(patterns) > 1:
         spelled = passage.text if NAME.fullmatch(passage.text) else ""
         hint = f"; a name of several letters is declared: #names {spelled}" if spelled else ""
+        if patterns[-1].name == "-" and patterns[-1].parameters:
+            hint = (
+                f"; of a probability {patterns[-1].parameters[0]} is a number: #define {patterns[-1].parameters[0]} 0.5"
+            )
         several = f"{shown(passage.text)}, which is {len(patterns)} modules"
         passage.refuse(f"one module to be replaced{hint}", 0, several)
     if patterns[0].name in (OPEN, CLOSE):
