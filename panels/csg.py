@@ -177,11 +177,15 @@ def draw_step(layout, active, owner, modifier, depth, picked):
     if depth:
         row.separator(factor=2.0 * depth)
     row.prop_menu_enum(modifier, "operation", text="", icon=ICONS[modifier.operation])
-    lost, held = trees.is_lost(modifier), trees.operand_of(modifier) or modifier.collection
-    row.alert = lost
+    of_object = modifier.operand_type == "OBJECT"
+    held = modifier.object if of_object else modifier.collection
+    lost = of_object and not held
+    if lost:
+        row.alert = True
     name = held.name if held else "Deleted"
     pick = row.operator("object.sweep_step_pick", text=name, depress=picked == (owner, modifier))
-    row.alert = False
+    if lost:
+        row.alert = False
     icon = "HIDE_OFF" if modifier.show_viewport else "HIDE_ON"
     mute = row.operator("object.sweep_step_mute", text="", icon=icon)
     remove = None

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sentences in the sidebar, which has no lines of more than one line."""
 
+from functools import lru_cache
 from textwrap import wrap
 
 CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; most are narrower
@@ -15,7 +16,13 @@ def sentences(context):
     def say(layout, sentence, icon, alert=False):
         column = layout.column(align=True)
         column.alert = alert
-        for number, line in enumerate(wrap(sentence, width)):
+        for number, line in enumerate(lines(sentence, width)):
             column.label(text=line, icon="BLANK1" if number else icon)
 
     return say
+
+
+@lru_cache(maxsize=64)
+def lines(sentence, width):
+    """The lines of a sentence, of so many letters at most: the same in most redraws."""
+    return tuple(wrap(sentence, width))
