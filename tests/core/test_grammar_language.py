@@ -139,7 +139,7 @@ def test_angles_of_formulas_are_degrees():
             "'Fl'",
         ),
         ("axiom: A(1)\nA(x) -> A(1/0)", 2, 11, "a finite number", "inf"),
-        ("axiom: F\nF = F", 2, 1, "a production with '->'", "'F = F'"),
+        ("axiom: F\nF = F", 2, 1, "a production with '->', or further right the rest of one", "'F = F'"),
         ("axiom: F\nF ->", 2, 5, "a word, or * for the empty one", "the end of the line"),
         ("axiom: F\nF -> F*F", 2, 7, "a module", "'*'"),
         ("axiom: F\n < F -> F", 2, 2, "a module of the context", "'<'"),

@@ -185,3 +185,22 @@ def test_lines_without_number_go_on_at_once():
     """Each line is looked at once: else a text of 20,000 lines would take minutes."""
     text = "axiom: F\nF ->\n" + "\n".join(["  [ F"] * 9_990 + ["  ] F"] * 9_990)
     assert len(LSystem.parse(text).derive(1)) == 4 * 9_990
+
+
+TERNARY = """n=6
+#define d1 94.74 /* divergence angle 1 */
+#define d2 132.63 /* divergence angle 2 */
+#define a 18.95 /* branching angle */
+#define lr 1.109 /* elongation rate */
+#define vr 1.732 /* width increase rate */
+ω : !(1)F(200)/(45)A
+p1 : A : ∗ → !(vr)F(50)[&(a)F(50)A]/(d1)
+             [&(a)F(50)A]/(d2)[&(a)F(50)A]
+p2 : F(l) : ∗ → F(l∗lr)
+p3 : !(w) : ∗ → !(w∗vr)
+"""
+
+
+def test_the_listing_of_a_tree_with_ternary_branching_as_printed():
+    entry = next(entry for entry in ENTRIES if entry["id"] == "abop-2.8a")
+    assert str(LSystem.parse(TERNARY).derive(3)) == str(LSystem.parse(typed_out(entry)).derive(3))

@@ -153,7 +153,7 @@ def arrow(passage):
         if not depth and text.startswith(ARROW, at):
             found = at
     if found < 0:
-        passage.refuse("a production with '->'", 0, shown(text))
+        passage.refuse("a production with '->', or further right the rest of one", 0, shown(text))
     return found
 
 
