@@ -6,7 +6,7 @@ The sweep is taken apart into pieces none of which crosses itself, and manifold3
 forward everywhere, a piece is a tube of them (`pieces`), as long as no part of it comes near another; where they fold,
 it is the convex hull of a few neighbouring contours, for each convex part of them (`blocks`). Never is a folded piece
 given to a boolean as it is. What comes near nothing is not given to it at all, and joined again corner by corner
-(`assembling`).
+(`assembling`); of tubes that run beside each other only the sides that meet are given to it (`sectors`, `wedges`).
 """
 
 from ..declared.parameters import parameter

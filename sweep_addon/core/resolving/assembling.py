@@ -36,37 +36,28 @@ class United:
         return replace(self, triangles=self.triangles[chosen], faces=self.faces[chosen])
 
 
-def assembled(rings, untouched, united, cuts):
+def assembled(rings, left, some, united, number):
     """The mesh of all parts.
 
     Parameters
     ----------
     rings : Rings
-    untouched : (segments,) bool array
-        Those that were not united, counted as the rings are.
+    left : (f,) int array
+        The faces of the mesh that were not united, in order.
+    some : (k,) int array
+        The vertices of those that were.
     united : United
-    cuts : sequence of Cut
-        The faces across, to be left out, at which the two are joined.
+        Without faces of cuts.
+    number : (n,) int array
+        The vertex of the mesh that each united one is, counted on after these where both are not joined.
 
     Returns
     -------
-    Mesh or None
-        None where a cut did not come back as it was.
+    Mesh
     """
     mesh, count = rings.mesh, len(rings.mesh.vertices)
-    number = count + np.arange(len(united.vertices))  # those of the mesh come first
-    for cut in cuts:
-        here = np.unique(united.triangles[united.faces == cut.number])
-        ring = np.unique(rings.vertices([cut.ring]))
-        which = equal_rows(united.vertices[here], mesh.vertices[ring])
-        if len(here) != len(ring) or (which < 0).any():
-            return None
-        number[here] = ring[which]
-    united = united.only(~np.isin(united.faces, [cut.number for cut in cuts]))
-    united = replace(united, faces=np.where(united.faces < len(mesh.offsets) - 1, united.faces, -1))
-    like = likened(mesh, np.unique(rings.vertices(around(rings, untouched))), united)
+    like = likened(mesh, some, united)
     whole, corners, rest = uncut(mesh, united, like)
-    left = untouched_faces(rings, untouched)
     vertices = np.concatenate((number[corners], number[rest.triangles].ravel()))
     used = np.full(count + len(number), False)
     used[mesh.corners[corners_of(mesh.offsets, left)]] = used[vertices] = True
@@ -85,6 +76,69 @@ def assembled(rings, untouched, united, cuts):
     was = np.concatenate((corners_of(mesh.offsets, left), was, cut_corners(mesh, rest, like)))
     chart = Selected(mesh.chart, np.concatenate((np.arange(count), like))[used], was)
     return replace(made, topology=sewn(mesh.topology, left, renumbered, made.topology), chart=chart)
+
+
+def joined_at_cuts(rings, untouched, united, cuts):
+    """The mesh of what was united between cuts and of all segments that were not.
+
+    Parameters
+    ----------
+    rings : Rings
+    untouched : (segments,) bool array
+        Those that were not united, counted as the rings are.
+    united : United
+    cuts : sequence of Cut
+        The faces across, to be left out, at which the two are joined.
+
+    Returns
+    -------
+    Mesh or None
+        None where a cut did not come back as it was.
+    """
+    mesh = rings.mesh
+    number = len(mesh.vertices) + np.arange(len(united.vertices))  # those of the mesh come first
+    for cut in cuts:
+        here = np.unique(united.triangles[united.faces == cut.number])
+        ring = np.unique(rings.vertices([cut.ring]))
+        which = equal_rows(united.vertices[here], mesh.vertices[ring])
+        if len(here) != len(ring) or (which < 0).any():
+            return None
+        number[here] = ring[which]
+    united = united.only(~np.isin(united.faces, [cut.number for cut in cuts]))
+    united = replace(united, faces=np.where(united.faces < len(mesh.offsets) - 1, united.faces, -1))
+    some = np.unique(rings.vertices(around(rings, untouched)))
+    return assembled(rings, untouched_faces(rings, untouched), some, united, number)
+
+
+def joined_at_rims(wedges, united):
+    """The mesh of united wedges and of all faces that are in none.
+
+    Parameters
+    ----------
+    wedges : Wedges
+    united : United
+
+    Returns
+    -------
+    Mesh or None
+        None where a wall or a fan did not come back as it was.
+    """
+    mesh, rings = wedges.rings.mesh, wedges.rings
+    closing = united.faces >= wedges.first_wall
+    if not np.array_equal(np.sort(united.faces[closing]), wedges.closers):
+        return None
+    here = np.unique(united.triangles[closing])
+    places = np.concatenate((mesh.vertices, rings.centres))
+    which = equal_rows(united.vertices[here], places)
+    if (which < 0).any():
+        return None
+    number = len(mesh.vertices) + np.arange(len(united.vertices))
+    rim = which < len(mesh.vertices)
+    number[here[rim]] = which[rim]
+    faces = np.full(len(mesh.offsets) - 1, False)
+    faces[rings.faces[wedges.strips]] = True
+    some = np.unique(mesh.corners[corners_of(mesh.offsets, np.flatnonzero(faces))])
+    return assembled(rings, np.flatnonzero(~faces), some, united.only(~closing), number)
 
 
 def around(rings, untouched):

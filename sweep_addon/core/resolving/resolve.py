@@ -7,14 +7,16 @@ import numpy as np
 from ..declared.parameters import ShapeError, require
 from ..meshes.booleans import arrays, united
 from ..vectors import dot, unit
-from .assembling import United, assembled
+from .assembling import United, joined_at_cuts, joined_at_rims
 from .conflicts import chunks
 from .filling import Fillings
 from .pieces import Pieces
 from .plan import planned
 from .rings import Rings
+from .sectors import sectors
 from .shells import without_specks
 from .tidying import tidied
+from .wedges import Wedges
 
 ROUNDING = 1e-9  # of the largest contour: near a tip turns are no more than noise
 GROUP = 8  # bodies that are united between two reports of progress: more are no quicker
@@ -49,22 +51,35 @@ def resolved(mesh, progress=None, meets=None):
     plan = planned(found, rings.closed)
     if plan.untouched.all() or (plan.folds and meets and not meets()):
         return mesh
-    made = of_plan(rings, plan, progress)
+    strips = sectors(rings, plan, found)
+    made = None if strips is None else of_sectors(Wedges(rings, plan, strips), progress)
+    if made is None:
+        made = of_plan(rings, plan, progress)
     if made is None:  # something has come near after all
         made = of_plan(rings, planned(found, rings.closed, everything=True), progress)
     return made
 
 
+def of_sectors(wedges, progress):
+    """The mesh of the sectors of tubes; None where what closes them did not come back as it was."""
+    return joined_at_rims(wedges, tidily_united(wedges, lambda: wedges.closers, progress))
+
+
 def of_plan(rings, plan, progress):
     """The mesh of the parts of a plan; None where a cut did not come back as it was."""
     pieces = Pieces(rings, plan, Fillings(rings))
+    united = tidily_united(pieces, lambda: [cut.number for cut in pieces.cuts], progress)
+    return joined_at_cuts(rings, plan.untouched, united, pieces.cuts)
+
+
+def tidily_united(pieces, cuts, progress):
+    """What comes of uniting all pieces, without specks and slivers; cuts tell which faces are to stay as they are."""
     body = step_by_step(pieces, progress)
     vertices, triangles, faces = arrays(body)
     if len(body.decompose()) > 1:
         large = without_specks(vertices, triangles)
         triangles, faces = triangles[large], faces[large]
-    whole = United(*tidied(vertices, triangles, faces, [cut.number for cut in pieces.cuts]))
-    return assembled(rings, plan.untouched, whole, pieces.cuts)
+    return United(*tidied(vertices, triangles, faces, cuts()))
 
 
 def step_by_step(pieces, progress):
