@@ -26,7 +26,7 @@ def in_blocks(labels, points, progress=None, threads=None):
     progress : callable, optional
         Is told which part is done, in the thread that calls; what it raises ends the work.
     threads : int, optional
-        By default one for each processor that this process may use.
+        by default one for each processor that this process may use, at most 16.
 
     Returns
     -------

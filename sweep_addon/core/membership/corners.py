@@ -6,9 +6,10 @@ import numpy as np
 
 from ..vectors import unit
 from .panels import ORDER, Panels
+from .planes import MIDDLE, NORMAL, SPACE, X, Y
 
 ROOM = 1.05  # of what a leg needs beyond its corner
-NORMAL, X, Y, SPACE = slice(0, 4), slice(4, 8), slice(8, 12), slice(14, 29)  # as `moving_plane` has its channels
+WAYS = slice(SPACE.start, MIDDLE.stop)
 
 
 def with_corners(pieces, way, reach):
@@ -75,6 +76,6 @@ def straight_on(series, side, way):
     for axis in (NORMAL, X, Y):
         step = made[axis, 0][:3] @ way / 2
         made[axis.stop - 1, :2] += step, step
-    made[SPACE, 0] += np.tile(way / 2, 5)
-    made[SPACE, 1] = np.tile(way / 2, 5)
+    made[WAYS, 0] += np.tile(way / 2, 5)
+    made[WAYS, 1] = np.tile(way / 2, 5)
     return made

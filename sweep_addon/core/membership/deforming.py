@@ -27,6 +27,7 @@ STEPS = 40  # of Newton's method
 LEAST_GAIN = 0.1  # of what is missed: a step that gains less is the last
 SINGULAR = 1e-12  # a determinant of less turns no way back
 EXACT = 1e-13  # of the size
+ROUNDING = 1e-12  # of the figure
 ASIDE = 1e-6  # of a half cell: roots so far outside count
 SPREAD = np.stack(np.meshgrid(*[(-1, 0, 1)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)  # where a cell is looked at
 MIDDLE, BENT = 13, 0.5  # the middle of these; directions that bend so much of the most are halved
@@ -75,7 +76,9 @@ class Deforming:
         panel = np.clip(np.searchsorted(self.panels.start, s, side="right") - 1, 0, len(self.panels.start) - 1)
         start, end = self.panels.start[panel], self.panels.end[panel]
         held = self.panels.at(panel, (2 * q[:, 2] - start - end) / (end - start))
-        known = {"x": q[:, 0], "y": q[:, 1], "z": np.zeros(len(q)), "t": s / self.total, "u": held[:, 12], "s": s}
+        inside = np.clip(q[:, :2], *self.region.box)  # what rounding brings out is asked where the figure ends
+        x, y = np.where(np.abs(q[:, :2] - inside) < ROUNDING * np.ptp(self.region.box), inside, q[:, :2]).T
+        known = {"x": x, "y": y, "z": np.zeros(len(q)), "t": s / self.total, "u": held[:, 12], "s": s}
         point = np.empty((len(q), 3))
         for axis, formula in enumerate(self.formulas):
             with at(f"deform_{'xyz'[axis]}"):
@@ -86,7 +89,8 @@ class Deforming:
         """The derivatives of F at places q (n, 3) that go to here: (n, 3, 3), a column for each of x, y and s."""
         made = np.empty((len(q), 3, 3))
         for axis, step in enumerate(self.steps):
-            steps = np.where(q[:, 2] > self.total / 2, -step, step) if axis == 2 else np.full(len(q), step)
+            middle = self.total / 2 if axis == 2 else self.region.box[:, axis].mean()
+            steps = np.where(q[:, axis] > middle, -step, step)  # inwards: formulas may end where the figure does
             moved = q.copy()
             moved[:, axis] += steps
             made[:, :, axis] = (self.places(moved) - here) / steps[:, None]

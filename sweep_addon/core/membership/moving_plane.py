@@ -21,14 +21,8 @@ from .domes import in_dome
 from .hash import Boxes, Capsules, portions
 from .labels import IN, ON, OUT, TOUCHED, joined
 from .panels import NODES, ORDER, at_both, derivative, panels, powers, slopes
-from .planes import NORMAL, SPACE, Planes, off
+from .planes import MIDDLE, NORMAL, SCALES, SPACE, Planes, X, Y, off
 
-X, Y, SCALES = (
-    slice(4, 8),
-    slice(8, 12),
-    slice(12, 14),
-)  # channels: as `planes` has the normal, and the contour's scales
-MIDDLE = slice(26, 29)  # where the contour's origin is; those of space are the ways of the corners of the box around it
 LOOKED = 65  # places where it is looked at how large everything is
 CHUNK = 1 << 15  # pairs of points and panels, and points, that fit into a processor's cache
 FINE = 6  # cells of the lattice in the side of a box
@@ -154,9 +148,10 @@ class MovingPlane:
         """Whether it is known that no two images of a point are in the contour, or within a tolerance of it."""
         if self.is_sheet or not self.way.clean:
             return False
-        if tolerance not in self.known:
-            self.known = {tolerance: bool(self.way.clean(2 * tolerance))} | dict(list(self.known.items())[:1])
-        return self.known.get(tolerance, False)
+        known = self.known.get(tolerance)
+        if known is None:
+            known = self.known[tolerance] = bool(self.way.clean(2 * tolerance))
+        return known
 
     def first_found(self, points, point, panel, tolerance):
         """The labels where no two images of a point are in the contour: the search ends with the first that is.

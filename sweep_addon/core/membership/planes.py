@@ -10,7 +10,9 @@ from ..vectors import dot
 from .panels import NODES, at_both, derivative, powers, slopes
 from .roots import MONOMIALS, all_roots, simple, solved
 
-NORMAL, SPACE = slice(0, 4), slice(14, 26)  # channels: unit vectors and how far the plane is along them; `moving_plane`
+# Channels: unit vectors and how far the plane is along them; the same of the contour's axes in it, and its scales;
+# ways of the corners of the box around it, and of its origin.
+NORMAL, X, Y, SCALES, SPACE, MIDDLE = map(slice, (0, 4, 8, 12, 14, 26), (4, 8, 12, 14, 26, 29))
 MARGIN = 0.1  # of the steepest slope: what is left of it everywhere
 SAME = 1e-9  # of half a panel: roots so far outside are its ends
 
