@@ -39,6 +39,9 @@ class OBJECT_OT_sweep_make_solid(Operator):
         if not (is_sweep(ob) and ob.data.is_editable and solving.is_wanted(ob.data)):
             self.report({"ERROR"}, "The active object must be a sweep whose Make Solid is on")
             return {"CANCELLED"}
+        if ob.data.is_editmode:
+            self.report({"ERROR"}, "The mesh is being edited, which its solid would undo: leave Edit Mode first")
+            return {"CANCELLED"}
         work = solving.work_of(ob.data)
         if work:
             work.thread.join()

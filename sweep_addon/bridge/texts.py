@@ -19,13 +19,14 @@ from . import rna
 LARGEST = 2**31 - 1  # whole number of a property
 LONGEST, MOST = 63, 500  # characters of a property's name, and properties: further constants have the text's values
 TAKEN = ("name", "rna_type")  # by every group, so that a path with them leads elsewhere
+NUMBER = int | float  # what a property of a constant holds; a script may have given it something else
 SUBTYPES = {"length": "DISTANCE"}
 STEP = 1.0  # hundredths of the value, by which a pixel changes a number without a range
 
 
 def numbers(values):
     """What the properties of constants hold: a tuple of names and numbers."""
-    return tuple((key.rstrip(), meant(value)) for key, value in values.items() if isinstance(value, (int, float)))
+    return tuple((key.rstrip(), meant(value)) for key, value in values.items() if isinstance(value, NUMBER))
 
 
 def key(name):
@@ -83,13 +84,21 @@ def settle(group):
         new, free = growing.read(text), growing.free(text)
     except ShapeError:
         return
-    before = Grammar(group.system_understood)
-    old, known = (growing.read(before), growing.free(before)) if before else (None, {})
+    old, known = last(group)
     for name in SAID:
         if old is None or np.float32(getattr(old, name)) == np.float32(getattr(group, name)):
             setattr(group, name, min(getattr(new, name), LARGEST))
     sliders(group.constants, known, free)
     group.system_understood = text
+
+
+def last(group):
+    """The system and the free constants of the last text without mistakes; None where this version reads none."""
+    before = Grammar(group.system_understood)
+    try:
+        return growing.read(before), growing.free(before)
+    except ShapeError:
+        return None, {}
 
 
 def reset(mesh):
@@ -113,7 +122,7 @@ def sliders(values, known, free):
     """
     free = {name: constant for name, constant in free.items() if len(key(name)) <= LONGEST}
     free = dict(islice(free.items(), MOST))
-    for stale in [held for held in values.keys() if held.rstrip() not in free]:
+    for stale in [held for held, value in values.items() if held.rstrip() not in free or not isinstance(value, NUMBER)]:
         del values[stale]
     for name, constant in free.items():
         own = key(name)

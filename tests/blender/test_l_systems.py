@@ -110,6 +110,26 @@ def test_a_constant_that_was_turned_keeps_its_value_in_another_text_and_the_othe
     assert "half" not in parameters_of(ob).constants and ob.data.sweep.error == ""
 
 
+@pytest.mark.parametrize("last", ["", "axiom: A(", "no grammar of this version"])
+def test_a_file_whose_last_text_this_version_refuses_follows_the_new_one(scene, last):
+    ob = plant()
+    turned(ob, "l", 1.5)
+    parameters_of(ob).system_understood = last
+    edit(ob, "F(l) [", "F(l) F(l) [")
+    assert ob.data.sweep.error == "" and height(ob) == pytest.approx(4.5)
+    assert parameters_of(ob).system_understood == parameters_of(ob).system_text.as_string()
+
+
+@pytest.mark.parametrize("other", ["half", [1.0, 2.0], {"l": 1.0}])
+def test_a_constant_to_which_a_script_gave_no_number_has_that_of_the_text(scene, other):
+    ob = plant()
+    values = parameters_of(ob).constants
+    del values["l"]
+    values["l"] = other
+    edit(ob, "F(l) [", "F(l) F(l) [")
+    assert dict(parameters_of(ob).constants.items()) == {"l": 1.0, "a": 30.0} and height(ob) == pytest.approx(3)
+
+
 def test_the_number_of_steps_follows_the_text_until_it_is_turned(scene):
     ob = plant()
     edit(ob, "#generations 1", "#generations 0")

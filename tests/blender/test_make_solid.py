@@ -143,6 +143,17 @@ def test_a_script_makes_a_solid_at_once(scene, window):
     assert not ob.data.sweep.solid and volume(ob.data) > 1.02 * surface
 
 
+def test_a_mesh_in_edit_mode_is_left_as_it_is(scene, window):
+    """What is edited would be written over when Edit Mode ends."""
+    ob = spindle(make_solid=True)
+    select(ob)
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(RuntimeError, match="leave Edit Mode first"):
+        bpy.ops.object.sweep_make_solid()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert ob.data.sweep.solid == live.AWAITED
+
+
 def test_a_script_that_asks_for_the_solid_of_what_is_none_hears_why(scene):
     select(spindle())
     with pytest.raises(RuntimeError, match="must be a sweep whose Make Solid is on"):

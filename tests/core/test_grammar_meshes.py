@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tubes of figures are closed, look outwards, and have the volume of their contour times the length of their axes."""
 
+from copy import deepcopy
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from sweep_addon.core.declared.parameters import ShapeError
-from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.grammars import Budget, LSystem
+from sweep_addon.core.grids.texture import Texture
 from sweep_addon.core.shapes.plant import Plant
 
 PLANT = "#angle 22.5\naxiom: X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\n"
@@ -83,12 +86,6 @@ def test_wires_share_vertices_where_segments_meet():
     lengths = np.linalg.norm(np.diff(mesh.vertices[mesh.edges], axis=1)[:, 0], axis=1)
     assert lengths == pytest.approx(1)
     assert len(np.unique(mesh.vertices.round(9), axis=0)) == 6
-
-
-@pytest.mark.parametrize("sides", [-1, 1, 2, 257])
-def test_other_numbers_of_sides_are_refused(sides):
-    with pytest.raises(ShapeError, match=f"sides: must be 0 or from 3 to 256, got {sides}"):
-        LSystem.parse("axiom: F").derive(0).figure().mesh(sides)
 
 
 @pytest.mark.parametrize("sides", [0, 6])
@@ -206,3 +203,20 @@ def test_an_organ_is_turned_as_the_turtle_is_there(told):
 def test_tubes_look_outwards_where_the_turtle_goes_backwards_or_nowhere(told):
     mesh = LSystem.parse(f"axiom: {told}").derive(0).figure().mesh(6)
     assert np.isfinite(mesh.vertices).all() and mesh.volume() > 0
+
+
+@pytest.mark.parametrize("sides", [3.5, "3", None, -1, 1, 2, 257])
+@pytest.mark.parametrize("budget", [None, Budget()])
+def test_other_numbers_of_sides_are_refused(sides, budget):
+    figure = LSystem.parse("axiom: F").derive(0).figure()
+    with pytest.raises(ShapeError, match=f"^sides: must be 0 or a whole number from 3 to 256, got {sides!r}"):
+        figure.mesh(sides, budget=budget)
+    assert len(figure.mesh(np.int64(3), budget=budget).vertices) == 6
+
+
+def test_meshes_with_organs_are_copied_with_all_they_know():
+    mesh = LSystem.parse("axiom: F~K F").derive(0).figure().mesh(texture=Texture.LENGTHS)
+    copied = deepcopy(mesh)
+    assert copied.attributes.keys() == mesh.attributes.keys() >= {"organ", "size", "rotation", "radius"}
+    assert all(np.array_equal(copied.attributes[name], values) for name, values in mesh.attributes.items())
+    assert np.array_equal(copied.uv, mesh.uv) and np.array_equal(copied.vertices, mesh.vertices)

@@ -123,12 +123,23 @@ def test_an_environment_may_answer_several_numbers_to_modules_of_several_paramet
     [
         (3, "must be a function"),
         (lambda asked: np.nan, "must return finite numbers"),
-        (lambda asked: np.zeros((3, 1)), "must return 1 rows"),
+        (lambda asked: np.zeros((3, 1)), r"must return 2 rows of numbers, got an array of shape \(3, 1\)"),
+        (lambda asked: np.zeros((2, 1, 1)), r"must return 2 rows of numbers, got an array of shape \(2, 1, 1\)"),
+        (lambda asked: [1], r"must return 2 rows of numbers, got an array of shape \(1,\)"),
+        (lambda asked: [[1], [1, 2]], r"must return 2 rows of numbers, got \[\[1\], \[1, 2\]\]"),
+        (lambda asked: ["a", "b"], r"must return 2 rows of numbers, got \['a', 'b'\]"),
+        (lambda asked: [1, 10**400], "must return 2 rows of numbers, got"),
+        (lambda asked: {}, "must return 2 rows of numbers, got {}"),
     ],
 )
 def test_wrong_environments_are_refused(environment, sentence):
-    with pytest.raises(ShapeError, match=sentence):
-        LSystem.parse("axiom: F?E(x)").derive(0, environment=environment)
+    with pytest.raises(ShapeError, match=f"^environment: {sentence}"):
+        LSystem.parse("axiom: F?E(x)F?E(y)").derive(0, environment=environment)
+
+
+def test_what_an_environment_itself_raises_is_not_changed():
+    with pytest.raises(ZeroDivisionError):
+        LSystem.parse("axiom: F?E(x)").derive(0, environment=lambda asked: 1 // 0)
 
 
 def test_descriptions_tell_of_queries():

@@ -65,6 +65,8 @@ def test_what_is_kept_from_one_mesh_to_the_next_changes_none(change):
         ({"system": 7}, "system: must be the text of a grammar, got 7"),
         ({"constants": {"q": 1}}, r"constants: must be one of r, half, got \['q'\]"),
         ({"constants": {"r": "x"}}, "constants.r: must be a number, got 'x'"),
+        ({"constants": {"r": 10**400}}, "constants.r: must be a number, got 1000"),
+        ({"constants": {"r": float("inf")}}, "constants.r: must be a number, got inf"),
         ({"constants": [1]}, r"constants: must be a table of numbers, got \[1\]"),
         ({"generations": -1}, "generations: must be at least 0, got -1"),
         ({"upright": "down"}, "upright: must be one of automatic, upwards, along-x, got 'down'"),

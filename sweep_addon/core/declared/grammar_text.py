@@ -3,8 +3,8 @@
 """The text of a grammar, and values for the constants in it, as parameters of a shape."""
 
 from collections.abc import Mapping
-from math import inf
 from numbers import Real
+from sys import float_info
 
 from .parameters import ShapeError, require
 from .wording import named, shown
@@ -43,7 +43,7 @@ class Values(Mapping):
         """Values from a table of numbers."""
         require(isinstance(value, Mapping), "must be a table of numbers", value)
         for name, number in value.items():
-            if not isinstance(number, Real) or isinstance(number, bool) or not abs(number) < inf:
+            if not isinstance(number, Real) or isinstance(number, bool) or not abs(number) <= float_info.max:
                 raise ShapeError(f"must be a number, got {shown(number)}", named(name))
         return cls({str(name): float(number) + 0.0 for name, number in value.items()})
 

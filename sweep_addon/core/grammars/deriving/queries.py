@@ -15,7 +15,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ...declared.parameters import require
+from ...declared.parameters import ShapeError, require
+from ...declared.wording import shown
 from ..drawing import turns
 from ..drawing.turtle import Walk
 from ..text.modules import ENVIRONMENT
@@ -114,8 +115,15 @@ def answered(state, tables, generation, seed, meter, environment=None):
 
 def asked(environment, those):
     """(m, k) float array: what an environment answers."""
-    found = np.asarray(environment(those), dtype=np.float64)
-    found = found if found.ndim == 2 else np.broadcast_to(found, len(those))[:, None]
-    require(len(found) == len(those), f"must return {len(those)} rows of numbers", len(found), "environment")
+    answer, rows = environment(those), f"must return {len(those)} rows of numbers"
+    try:
+        found = np.asarray(answer, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise ShapeError(f"{rows}, got {shown(answer)}", "environment") from None
+    if found.ndim == 0:
+        found = np.broadcast_to(found, len(those))
+    if found.ndim > 2 or len(found) != len(those):
+        raise ShapeError(f"{rows}, got an array of shape {found.shape}", "environment")
+    found = found.reshape(len(those), -1)
     require(np.isfinite(found).all(), "must return finite numbers", found[~np.isfinite(found)][:1], "environment")
     return found

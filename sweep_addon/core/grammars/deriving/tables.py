@@ -129,7 +129,6 @@ class Rules:
         self.context = any(choice.nodes for choice in every)
         self.lateral = any(link == "branch" for choice in every for _, link, _, _ in choice.nodes)
         self.random = any(choice.random for choice in every)
-        self.certain = all(choice.certain for choice in every)
         self.count = len(every)
         self.longest = max((len(template.symbols) for choice in every for template in choice.templates), default=0)
 

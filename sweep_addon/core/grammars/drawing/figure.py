@@ -3,9 +3,11 @@
 """Figures: what a turtle has drawn, as arrays. What takes looking at the word again is found when it is asked for."""
 
 from functools import cached_property
+from numbers import Integral
 
 import numpy as np
 
+from ...declared.parameters import require
 from ...grids.texture import Texture
 from ...vectors import norms
 from ..deriving.neighbours import narrow
@@ -42,7 +44,7 @@ class Figure:
 
     def __init__(self, walk, start, end, orientations):
         self.walk, self.orientations = walk, orientations
-        self.moves_start, self.moves_end = start, end
+        self.moves_end = end
         self.drawn = walk.is_drawn
         whole = self.drawn.all()
         self.start, self.end = (start, end) if whole else (start[self.drawn], end[self.drawn])
@@ -249,6 +251,10 @@ class Figure:
         """
         from ..meshing.tubes import mesh  # figures alone need no mesh
 
+        whole = isinstance(sides, Integral)
+        require(
+            whole and (sides == 0 or 3 <= sides <= 256), "must be 0 or a whole number from 3 to 256", sides, "sides"
+        )
         if budget is not None:
             rings = 2 * len(self) if sides == 0 else len(self) + int(np.count_nonzero(~self.joined))
             budget.of_arrays(rings * max(sides, 1) * OF_VERTEX, "sides" if sides else "")

@@ -53,8 +53,19 @@ class Numbered:
     def __init__(self, chart, vertices):
         self.chart, self.vertices = chart, vertices
 
-    def __getattr__(self, name):
-        return getattr(self.chart, name)
+    @property
+    def keys(self):
+        return self.chart.keys
+
+    @property
+    def rings(self):
+        return self.chart.rings
+
+    def uv(self, dtype=np.float64, empty=np.empty):
+        return self.chart.uv(dtype, empty)
+
+    def along(self, dtype=np.float64):
+        return self.chart.along(dtype)
 
     def across(self, dtype=np.float64):
         found = self.chart.across(dtype)

@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 
 from ...declared.digest import checksum
-from ...declared.parameters import require
 from ...grids.texture import Texture
 from ...meshes.joining import joined
 from ...meshes.mesh import Mesh, Topology, require_few
@@ -23,7 +22,6 @@ SHARPEST = -0.5  # cosine of a turn beyond which a mitre would be more than twic
 
 def mesh(figure, sides, texture=Texture.NONE, attributes=True, dtype=np.float64):
     """The mesh of a figure; `Figure.mesh` says of what."""
-    require(sides == 0 or 3 <= sides <= 256, "must be 0 or from 3 to 256", sides, "sides")
     made = tubes(figure, sides, texture, attributes, dtype) if sides else wires(figure, attributes, dtype)
     named = figure.walk.named
     with_organs = ORGAN in named and figure.organs
