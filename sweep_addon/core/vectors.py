@@ -5,16 +5,36 @@
 import numpy as np
 
 ONE_THREAD = 2**17  # multiplications of a product; OpenBLAS shares more than 2**18 among threads
+MANY = 1000  # vectors, from which on it takes less time to go through them by their columns
+ROWS = 8192  # of these at once, which caches hold
 
 
 def dot(a, b):
     """The products of vectors with one another, (..., k) twice to (...)."""
+    a, b = np.asarray(a), np.asarray(b)
+    if a.shape == b.shape and a.shape[1:] == (3,) and len(a) >= MANY:
+        return column_by_column(a, b)
     return np.einsum("...i,...i->...", a, b)
+
+
+def column_by_column(a, b):
+    """The products of many vectors, (n, 3) twice to (n,), in half the time that as many sums of three numbers take.
+
+    They are added in the order in which `numpy.einsum` adds three.
+    """
+    products = np.empty(len(a), np.result_type(a, b))
+    for start in range(0, len(a), ROWS):
+        (x, y, z), (u, v, w) = (vectors[start : start + ROWS].T for vectors in (a, b))
+        part = products[start : start + ROWS]
+        np.multiply(x, u, out=part)
+        part += z * w
+        part += y * v
+    return products
 
 
 def norms(vectors):
     """The lengths of vectors, (..., 3) to (...), in a quarter of the time that `numpy.linalg.norm` takes."""
-    return np.sqrt(np.einsum("...i,...i->...", vectors, vectors))
+    return np.sqrt(dot(vectors, vectors))
 
 
 def cross(a, b):
