@@ -9,6 +9,7 @@ import re
 from dataclasses import replace
 from importlib import import_module
 
+from ..text.passages import PassageError
 from ..text.problems import GrammarError
 
 QUOTED = re.compile(r"'([^']+)'")
@@ -32,6 +33,18 @@ def translated(text):
     if problems:
         raise GrammarError(problems)
     return "\n".join(made)
+
+
+def line_by_line(reader, *columns):
+    """What a reader makes of each line, given as columns: lines in the notation of the book, and problems of others."""
+    made, problems = [], []
+    for told in zip(*columns, strict=True):
+        try:
+            made.append(reader.line(*told))
+        except PassageError as wrong:
+            problems.append(wrong.problem)
+            made.append("")
+    return made, problems
 
 
 def placed(refusal, text):

@@ -13,8 +13,9 @@ import re
 from ..deriving.statements import assigned
 from ..deriving.subsystems import BEGINS
 from ..text.modules import ENVIRONMENT, QUERIES
-from ..text.passages import Passage, PassageError, shown
-from ..text.productions import around
+from ..text.passages import Passage, shown
+from ..text.productions import around, headed
+from . import line_by_line
 from .local import Locals, parted
 from .pasting import DEFINED, Pasting, joined, uncommented
 from .words import comparing, last_outside, modules, outside, unknown
@@ -68,13 +69,8 @@ def named(text, at):
 def translated(lines):
     """Lines in the notation of the book, and problems."""
     code = joined(uncommented("\n".join(lines)).split("\n"))
-    made, problems, reader = [], [], Reader()
-    for number, (line, source) in enumerate(zip(code, lines, strict=True), 1):
-        try:
-            made.append(reader.line(line, Passage(source, number)))
-        except PassageError as wrong:
-            problems.append(wrong.problem)
-            made.append("")
+    reader = Reader()
+    made, problems = line_by_line(reader, code, [Passage(line, number) for number, line in enumerate(lines, 1)])
     return made + reader.granted(), problems
 
 
@@ -170,8 +166,7 @@ class Reader:
         body, chance = (successor[:colon], successor[colon + 1 :].strip()) if colon >= 0 else (successor, "")
         arrow = f"-({own.told(chance)})->" if chance else "->"
         body = body.strip() if body.strip() == "*" else self.word(Passage(body, source.number), own)
-        left, right = f"{left} < " if left else "", f" > {right}" if right else ""
-        return f"{left}{strict}{right}{condition} {arrow} {body}"
+        return f"{headed(left, strict, right)}{condition} {arrow} {body}"
 
     def heads(self, passage):
         """The modules of a predecessor or a context, which are renamed and nothing else."""

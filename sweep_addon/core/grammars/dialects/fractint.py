@@ -10,7 +10,8 @@ two headings, of which a text may use one.
 
 import re
 
-from ..text.passages import Passage, PassageError, shown
+from ..text.passages import Passage, shown
+from . import line_by_line
 
 LINE = re.compile(r"(ANGLE)\s+(?P<parts>\d{1,4})|(AXIOM)\s+(?P<word>\S.*)|(?P<left>\S)\s*=(?P<right>.*)")
 DEGREES = re.compile(r"[\\/](\d+(?:\.\d*)?|\.\d+)")
@@ -20,18 +21,8 @@ COUNTED, MEASURED = frozenset("FG+-|"), frozenset("DM\\/")  # symbols of either 
 
 def translated(lines):
     """Lines in the notation of the book, and problems."""
-    made, problems, reader = [], [], Reader()
-    for number, line in enumerate(lines, 1):
-        if line.lstrip().startswith("#"):
-            made.append(line)
-            continue
-        code = line.partition(";")[0]
-        try:
-            made.append(reader.line(Passage(code.upper(), number)))
-        except PassageError as wrong:
-            problems.append(wrong.problem)
-            made.append("")
-    return made, problems
+    code = [line if line.lstrip().startswith("#") else line.partition(";")[0].upper() for line in lines]
+    return line_by_line(Reader(), [Passage(line, number) for number, line in enumerate(code, 1)])
 
 
 class Reader:
@@ -42,6 +33,8 @@ class Reader:
 
     def line(self, passage):
         text = passage.text
+        if text.startswith("#"):
+            return passage.line
         if text.endswith("{"):
             if self.begun:
                 passage.refuse("one curve in the text", 0, "a second one")

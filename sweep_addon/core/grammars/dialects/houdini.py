@@ -11,8 +11,9 @@ book turn left, down and to the left.
 import re
 
 from ..deriving.draws import DRAWS
-from ..text.passages import Passage, PassageError, shown
-from ..text.productions import around
+from ..text.passages import Passage, shown
+from ..text.productions import around, headed
+from . import line_by_line
 from .words import comparing, last_outside, modules, outside, unknown
 
 WORDS = re.compile(r"[A-Za-z]+(?: +[A-Za-z]+)* *\d*")  # before the colon of a setting
@@ -50,17 +51,11 @@ VALUE = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
 
 def translated(lines):
     """Lines in the notation of the book, and problems."""
-    made, problems, reader = [], [], Reader()
+    reader = Reader()
     passages = [Passage(line, number) for number, line in enumerate(lines, 1)]
     for passage in passages:
         reader.note(passage)
-    for passage in passages:
-        try:
-            made.append(reader.line(passage))
-        except PassageError as wrong:
-            problems.append(wrong.problem)
-            made.append("")
-    return made, problems
+    return line_by_line(reader, passages)
 
 
 class Reader:
@@ -112,8 +107,7 @@ class Reader:
 
     def contexts(self, head):
         """What is replaced, between its neighbours."""
-        left, strict, right = (part and self.symbols(part) for part in around(head))
-        return (f"{left} < " if left else "") + strict + (f" > {right}" if right else "")
+        return headed(*(part and self.symbols(part) for part in around(head)))
 
     def symbols(self, passage):
         """The modules of contexts and predecessors, which are renamed and nothing else."""

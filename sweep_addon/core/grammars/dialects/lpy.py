@@ -15,8 +15,9 @@ import re
 
 from ..drawing.turtle import EDGE
 from ..text.modules import Alphabet
-from ..text.passages import Passage, PassageError, shown
-from ..text.productions import around
+from ..text.passages import Passage, shown
+from ..text.productions import around, headed
+from . import line_by_line
 from .words import modules, outside, unknown
 
 DECLARED = re.compile(r"module\s+(.+)")
@@ -50,16 +51,10 @@ LONGEST_NAME = 64  # letters of a name, as in the book
 
 def translated(lines):
     """Lines in the notation of the book, and problems; behind them what the program takes for granted."""
-    made, problems, reader = [], [], Reader(lines)
-    for number, line in enumerate(lines, 1):
-        if VIEW.fullmatch(line):
-            made += [""] * (len(lines) - number + 1)
-            break
-        try:
-            made.append(reader.line(Passage(line if "#dialect" in line else line.partition("#")[0], number)))
-        except PassageError as wrong:
-            problems.append(wrong.problem)
-            made.append("")
+    reader, end = Reader(lines), next((k for k, line in enumerate(lines) if VIEW.fullmatch(line)), len(lines))
+    code = [line if "#dialect" in line else line.partition("#")[0] for line in lines[:end]]
+    made, problems = line_by_line(reader, [Passage(line, number) for number, line in enumerate(code, 1)])
+    made += [""] * (len(lines) - end)
     return made + list(reader.granted(made)), problems
 
 
@@ -129,9 +124,8 @@ class Reader:
         head, body = passage.part(0, at), passage.part(at + 3)
         if ">>" in head.text or "<<" in head.text:
             passage.refuse("contexts with < and >, of the word before the step", 0, shown(head.text))
-        left, strict, right = (part and self.heads(part) for part in around(head))
-        left, right = f"{left} < " if left else "", f" > {right}" if right else ""
-        return f"{left}{strict}{right} -> {self.word(body) if body.text not in ('', '*') else '*'}"
+        contexts = headed(*(part and self.heads(part) for part in around(head)))
+        return f"{contexts} -> {self.word(body) if body.text not in ('', '*') else '*'}"
 
     def heads(self, passage):
         """The modules of a predecessor or a context."""

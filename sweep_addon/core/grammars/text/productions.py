@@ -55,8 +55,16 @@ class Production:
         left, right, made = (told(word, alphabet) for word in (self.left, self.right, self.successor))
         condition = f" : {self.condition.text}" if self.condition else ""
         arrow = f"-({self.probability.text})->" if self.probability else ARROW
-        left, right = f"{left} < " if left else "", f" > {right}" if right else ""
-        return f"{left}{self.predecessor}{right}{condition} {arrow} {made or EMPTY}"
+        return f"{headed(left, self.predecessor, right)}{condition} {arrow} {made or EMPTY}"
+
+
+def headed(left, strict, right):
+    """What is replaced, between its neighbours where it has some.
+
+    >>> headed("A", "B", None), headed("", "B", "C")
+    ('A < B', 'B > C')
+    """
+    return (f"{left} < " if left else "") + f"{strict}" + (f" > {right}" if right else "")
 
 
 def told(modules, alphabet=None):
