@@ -94,8 +94,8 @@ def test_every_wrong_line_is_told_with_its_place(tmp_path, capsys):
     path.write_text("axiom: F(1\nF(x) -> F(x*)\n")
     code, out, err = told(capsys, "derive", str(path))
     assert (code, out) == (2, "")
-    assert err.splitlines()[0] == f"{path}:1:11: expected ')' or ',' after a parameter, found the end of the line"
-    assert err.splitlines()[2] == " " * 14 + "^"
+    assert err.splitlines()[0] == f"{path}:1:9: expected ')' after it, found '('"
+    assert err.splitlines()[2] == " " * 12 + "^"
     assert err.splitlines()[3] == f"{path}:2:13: expected a value, found the end of the formula"
 
 

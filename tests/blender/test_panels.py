@@ -258,5 +258,5 @@ def test_what_is_wrong_in_a_grammar_is_shown_by_its_lines(scene):
     ob.data.sweep.plant.system_text.from_string("axiom: F[\nF -> x(")
     rebuild(ob.data)
     calls = drawn(ob, width=900)
-    assert "Line 1: axiom: F[" in calls and "Column 8: expected ')' or ',' after a parameter" in said(calls)
+    assert "Line 1: axiom: F[" in calls and "Column 7: expected ')' after it" in said(calls)
     assert calls.count("object.sweep_grammar_edit") == 3 and "7,162" not in said(calls)

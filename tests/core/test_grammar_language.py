@@ -125,7 +125,13 @@ def test_angles_of_formulas_are_degrees():
         ("axiom: F[+F\n", 1, 9, "']' after it", "'['"),
         ("axiom: F]+F\n", 1, 9, "'[' before it", "']'"),
         ("axiom: F\nF -> F[+F]]", 2, 11, "'[' before it", "']'"),
-        ("axiom: F\nF -> F(", 2, 8, "')' or ',' after a parameter", "the end of the line"),
+        ("axiom: F\nF -> F(", 2, 7, "')' after it", "'('"),
+        ("axiom: F\nF -> F[+(25F]F", 2, 9, "')' after it", "'('"),
+        ("axiom: F\nG(x -> F", 2, 2, "')' after it and before the arrow", "'('"),
+        ("axiom: F\nA(x) : x > (1 -> F", 2, 12, "')' after it and before the arrow", "'('"),
+        ("axiom: F~leaf(0.5)", 1, 9, "an organ of one letter, or a line '#names leaf'", "'~leaf'"),
+        ("axiom: F\n#width -0.2", 2, 8, "a diameter of at least 0", "'-0.2'"),
+        ("axiom: F\n#Ingore + -", 2, 2, "#ignore, or a blank before a comment", "'Ingore'"),
         ("axiom: F\nF -> F(1+)", 2, 10, "a value", "the end of the formula"),
         ("axiom: F\nF(x) -> F(y)", 2, 11, "one of the names x, pi, tau, e", "'y'"),
         ("axiom: F\nF(x) -> F(open(x))", 2, 11, "one of the functions sin, cos", "'open'"),
@@ -170,6 +176,23 @@ def test_what_is_wrong_is_told_with_its_place(told, line, column, expected, foun
     assert problem.expected.startswith(expected) and problem.found.startswith(found)
     source, caret = problem.shown.split("\n")
     assert source[4:].strip() in told and caret.index("^") == 4 + column - 1
+
+
+def test_directives_are_read_in_any_case_and_angles_with_a_degree_sign():
+    system = LSystem.parse("#Dialect abop\n#Define r 3\n#DEFINE d 22.5° # 0 .. 90 deg\n#Angle 25 °\naxiom: F(r)+(d)")
+    assert system.angle == 25 and str(system.derive(0)) == "F(3)+(22.5)"
+    assert LSystem.parse("#Dialect fractint\nX {\nAxiom F\nF=FF\n}").derive(2).count("F") == 4
+
+
+def test_organs_of_letters_stand_apart_in_what_is_written():
+    """``~l f`` is an organ l and a move; without the blank a reader would ask for the name of an organ ``lf``."""
+    system = LSystem.parse("axiom: A\nA -> ~l f")
+    assert LSystem.parse(str(system)).productions[0].successor == system.productions[0].successor
+    assert len(LSystem.parse("#names leaf\naxiom: F~leaf(0.5)").derive(0)) == 3
+
+
+def test_a_diameter_below_nothing_is_nothing():
+    assert LSystem.parse("axiom: !(-0.2)F").derive(0).figure().width.tolist() == [0]
 
 
 def test_all_wrong_lines_are_told_at_once():

@@ -143,7 +143,7 @@ def test_axioms_and_productions_go_on_over_several_lines():
     [
         ("axiom: F\nF(x) -> G  # long\n    H\n    F(y)", 4, 7),  # the name y
         ("axiom: F\nF ->\n  [+F   # open\n  F", 3, 3),  # the bracket
-        ("axiom: F(1,\n  2", 2, 4),  # the end of the last line
+        ("axiom: F(1,\n  2", 1, 9),  # the bracket that is left open
         ("axiom: A B\n  F(1, ,\n  2)", 2, 8),  # the parameter that is none
         ("axiom: F\nF -(0.6)-> G\nF\n  -(0.6)-> H", 3, 1),  # no arrow, for the line below may be of the module -
         ("axiom: F\nF -(0.6)-> G\nF : 1\n  : 2 -> H", 4, 3),  # one condition

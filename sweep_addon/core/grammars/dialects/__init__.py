@@ -13,7 +13,7 @@ from ..text.passages import PassageError
 from ..text.problems import GrammarError
 
 QUOTED = re.compile(r"'([^']+)'")
-NAMED = re.compile(r"^[ \t]*#dialect[ \t]+(\w+)[ \t]*(?:#.*)?$", re.MULTILINE)
+NAMED = re.compile(r"^[ \t]*#dialect[ \t]+(\w+)[ \t]*(?:#.*)?$", re.MULTILINE | re.IGNORECASE)
 OTHERS = ("cpfg", "fractint", "houdini", "lpy")
 
 

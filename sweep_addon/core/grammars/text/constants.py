@@ -10,7 +10,7 @@ from ...declared.frozen import frozen
 from ...formulas.expressions import Expression
 from .modules import NAME
 from .passages import Passage, PassageError, shown
-from .vocabulary import formula, words
+from .vocabulary import formula, without_degree, words
 
 NUMBER = r"([-+]?(?:\d++(?:\.(?!\.)\d*+)?|\.(?!\.)\d++)(?:[eE][-+]?\d++)?)"  # the dots between two are no part of one
 RANGE = re.compile(rf"\s*+{NUMBER}\s*+\.\.\s*+{NUMBER}(?:\s++(.*))?")
@@ -122,7 +122,7 @@ def parted(passage: Passage):
     text = passage.part(match.end())
     if passage.text[match.end() : match.end() + 1] == "(":
         text.refuse("a value, for macros are of the dialect cpfg")
-    return match.group(), text
+    return match.group(), without_degree(text)
 
 
 def needed(passage):

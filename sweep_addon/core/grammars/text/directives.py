@@ -11,7 +11,7 @@ from .vocabulary import value
 
 DIALECTS = ("abop",)
 WORDS = "dialect names define ignore consider heading angle step width generations seed tropism groups".split()
-DIRECTIVE = re.compile(r"\s*#([a-z]+)(?=[\s:]|$)")
+DIRECTIVE = re.compile(r"\s*#([A-Za-z]+)(?=[\s:]|$)")
 AXES = ("x", "y", "z")
 MOST_GENERATIONS = 1_000_000
 MOST_NAMES = 10_000
@@ -30,11 +30,13 @@ def directive(line, number):
     match = DIRECTIVE.match(line)
     if not match:
         return None
-    word = match.group(1)
+    word = match.group(1).lower()
     if word not in WORDS:
         near = get_close_matches(word, WORDS, 1, 0.8)
         if near:
-            Passage(line, number, match.start(1)).refuse(f"#{near[0]}, or a blank before a comment", 0, shown(word))
+            Passage(line, number, match.start(1)).refuse(
+                f"#{near[0]}, or a blank before a comment", 0, shown(match.group(1))
+            )
         return None
     return word, Passage(line, number, match.end()).part(line[match.end() :].lstrip().startswith(":"))
 

@@ -22,6 +22,7 @@ NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32
 BLANKS = re.compile(r"(?<!\w)\s+|\s+(?!\w)", re.ASCII)  # all that part no words
 NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+ORGAN = re.compile(r"~([a-z]{2,}\w*)", re.ASCII)  # names of organs; capitals follow each other without blanks
 UNSET = Expression("0", (), (0.0,))  # of a query, until a turtle fills it in
 
 
@@ -149,6 +150,9 @@ class Alphabet:
         """
         letters = self.letters(passage)
         paired(passage, letters)
+        place, spelled = undeclared(passage.text, letters)
+        if spelled:
+            passage.refuse(f"an organ of one letter, or a line '#names {spelled}'", place, shown(f"~{spelled}"))
         made, known, alike = [], {}, {}  # in a long word most modules and formulas are there many times
         for letter in letters:
             spelled = letter.name, *[argument.text for argument in letter.arguments]
@@ -183,6 +187,20 @@ class Alphabet:
         return made
 
 
+def undeclared(text, letters):
+    """The place and the name of the first organ that is written as a word and read as letters, or the end and nothing.
+
+    >>> undeclared("F~leaf(2)", Alphabet().letters(Passage("F~leaf(2)", 1)))
+    (1, 'leaf')
+    """
+    for letter, following in zip(letters, letters[1:], strict=False):
+        if letter.name == "~" and len(following.name) == 1:
+            word = ORGAN.match(text, letter.at)
+            if word:
+                return letter.at, word.group(1)
+    return len(text), ""
+
+
 def is_free(text, names, vocabulary):
     """Whether a parameter of a query says nothing, as the book's authors print it: ``?P(x,y)``, ``?P(*,*)``."""
     return text == "*" or NAME.fullmatch(text) and text not in names and text not in vocabulary.constants
@@ -213,7 +231,7 @@ def bracketed(passage, start):
         elif letter == "," and depth == 1:
             found.append(passage.part(begin, at))
             begin = at + 1
-    passage.refuse("')' or ',' after a parameter", len(text))
+    passage.refuse("')' after it", start, "'('")
 
 
 def paired(passage, letters):

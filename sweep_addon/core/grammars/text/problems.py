@@ -60,9 +60,9 @@ class GrammarError(ShapeError):
     ...     LSystem.parse("axiom: F(1\\nF(x) -> F(x*r)")
     ... except GrammarError as refusal:
     ...     print(refusal)
-    line 1, column 11: expected ')' or ',' after a parameter, found the end of the line
+    line 1, column 9: expected ')' after it, found '('
         axiom: F(1
-                  ^
+                ^
     line 2, column 13: expected one of the names x, pi, tau, e, found 'r'
         F(x) -> F(x*r)
                     ^

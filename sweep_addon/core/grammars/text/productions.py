@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ...declared.frozen import frozen
 from ...formulas.expressions import Expression
-from .modules import CLOSE, NAME, OPEN, Alphabet, Module, Pattern, paired
+from .modules import CLOSE, NAME, OPEN, Alphabet, Module, Pattern, paired, undeclared
 from .passages import Passage, shown
 from .vocabulary import draws, formula, value, words
 
@@ -76,7 +76,9 @@ def told(modules, alphabet=None):
     """
     modules = list(modules)
     text = "".join(map(str, modules))
-    if alphabet is None or [letter.name for letter in alphabet.letters(Passage(text, 0))] == [m.name for m in modules]:
+    letters = alphabet.letters(Passage(text, 0)) if alphabet else ()
+    same = [letter.name for letter in letters] == [module.name for module in modules]
+    if alphabet is None or same and not undeclared(text, letters)[1]:
         return text
     return " ".join(map(str, modules))
 
@@ -161,8 +163,26 @@ def arrow(passage):
         if not depth and text.startswith(ARROW, at):
             found = at
     if found < 0:
+        behind = unclosed(text)
+        if behind is not None and ARROW in text[behind:]:
+            passage.refuse("')' after it and before the arrow", behind, "'('")
         passage.refuse("a production with '->', or further right the rest of one", 0, shown(text))
     return found
+
+
+def unclosed(text):
+    """The place of the first bracket that is never closed, or None.
+
+    >>> unclosed("G(x) : x > (1 -> F")
+    11
+    """
+    opened = []
+    for at, letter in enumerate(text):
+        if letter == "(":
+            opened.append(at)
+        elif letter == ")" and opened:
+            opened.pop()
+    return opened[0] if opened else None
 
 
 def longer(head):

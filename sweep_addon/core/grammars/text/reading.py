@@ -19,7 +19,7 @@ from .passages import ENDED, Passage, PassageError, shown
 from .printed import legend, typed
 from .problems import GrammarError, Problem
 from .productions import production
-from .vocabulary import value, words
+from .vocabulary import value, without_degree, words
 
 LONGEST = 1_000_000  # characters of a text
 MOST_LINES = 20_000
@@ -146,6 +146,14 @@ class Reader:
 
     def tell_groups(self, passage, word):
         self.told["schedule"] = directives.schedule(passage)
+
+    def tell_angle(self, passage, word):
+        self.number(without_degree(passage), word)
+
+    def tell_width(self, passage, word):
+        if value(passage, self.vocabulary) < 0:
+            passage.refuse("a diameter of at least 0", 0, shown(passage.text))
+        self.number(passage, word)
 
     def number(self, passage, word):
         self.tell(passage, word, value(passage, self.vocabulary))

@@ -5,6 +5,7 @@
 The formulas themselves are those of laws: `core.formulas.expressions` reads both.
 """
 
+import re
 from collections import ChainMap
 
 import numpy as np
@@ -32,6 +33,7 @@ RANDOM = {
     "ran": (lambda most, drawn: most * drawn, 1, 1, 1),
     "nran": (normal, 2, 2, 2),
 }
+DEGREE = re.compile(r"[\d.]\s*°$", re.ASCII)
 IN_DEGREES = FUNCTIONS | DEGREES
 WITH_CHANCE = IN_DEGREES | RANDOM
 
@@ -63,6 +65,15 @@ def formula(passage: Passage, names, vocabulary, drawn=0):
         return read(passage.text, names, vocabulary, drawn)
     except MisreadError as misread:
         passage.refuse(misread.expected, misread.place, misread.found or "the end of the formula")
+
+
+def without_degree(passage):
+    """A passage without the degree sign behind its last number: angles are in degrees anyway.
+
+    >>> without_degree(Passage("22.5 °", 1)).text
+    '22.5'
+    """
+    return passage.part(0, len(passage.text) - 1) if DEGREE.search(passage.text) else passage
 
 
 def value(passage, vocabulary):
