@@ -289,16 +289,17 @@ def boxes_meet(lattice, first, last):
 def boxes(lattice, start, end):
     """Boxes round stretches: their middles (k, 3), axes (k, 3, 3), the first one forward, and half their edges."""
     rings = np.minimum(start[:, None] + np.arange(BANDS + 1), end[:, None])
-    points = lattice.points(rings).transpose(1, 0, 2, 3).reshape(len(rings), -1, 3)
     origin = lattice.path[start]
+    points = lattice.points(rings).transpose(1, 3, 0, 2).reshape(len(rings), 3, -1)
+    points -= origin[:, :, None]
     forward = unit(lattice.normals[rings].sum(axis=1))
-    aside = points[:, :: BANDS + 1] - origin[:, None]
-    longest = aside[np.arange(len(aside)), np.einsum("pmk,pmk->pm", aside, aside).argmax(axis=1)]
+    aside = points[:, :, :: BANDS + 1]
+    longest = aside[np.arange(len(aside)), :, (aside * aside).sum(axis=1).argmax(axis=1)]
     wide = longest - dot(longest, forward)[:, None] * forward
     none = norms(wide) < 1e-12
     wide[none] = np.cross(forward[none], np.eye(3)[np.abs(forward[none]).argmin(axis=1)])
     wide = unit(wide)
     axes = np.stack((forward, wide, np.cross(forward, wide)), axis=1)
-    along = np.einsum("pmk,pak->pma", points - origin[:, None], axes)
-    low, high = along.min(axis=1), along.max(axis=1)
+    along = axes @ points
+    low, high = along.min(axis=2), along.max(axis=2)
     return origin + np.einsum("pa,pak->pk", (low + high) / 2, axes), axes, (high - low) / 2
