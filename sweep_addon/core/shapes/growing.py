@@ -12,6 +12,7 @@ from ..declared.parameters import ShapeError, at
 from ..grammars import Budget, GrammarError, LSystem
 from ..grammars.deriving.budget import LateError, sized
 from ..grammars.deriving.growth import bounds, foretold
+from ..grammars.deriving.noting import notes
 from ..grammars.meshing.chart import Skin
 
 NONE = Values()
@@ -177,7 +178,14 @@ def skinned(figure, plant, dtype):
     """The mesh of a figure as a plant asks for it."""
     sides, budget = getattr(plant.output, "sides", 0), within(plant.budget)
     with at("output" if sides else "budget"):
-        return figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
+        made = figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
+    return replace(made, told=(*made.told, *noted(plant.system, plant.constants)))
+
+
+@lru_cache(maxsize=16)
+def noted(text, constants):
+    """What the system of a text says and never does."""
+    return tuple(notes(read(text, constants)))
 
 
 def within(modules):

@@ -6,6 +6,7 @@ from ..text.modules import ENVIRONMENT, QUERIES
 from .budget import sized
 from .derivation import WAYS, strategy
 from .growth import bounds, foretold
+from .noting import notes
 
 
 def kind(system):
@@ -79,6 +80,7 @@ def described(system, generations=None):
         f"size: {size}",
         *features(tables),
         *map(turned, system.constants),
+        *(f"note: {note}" for note in notes(system)),
     ]
 
 

@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a grammar says and never does is told, and not refused."""
+
+import pytest
+from test_grammar_conformance import ENTRIES, text
+
+from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.grammars.deriving.describing import described
+from sweep_addon.core.grammars.deriving.noting import notes
+from sweep_addon.core.shapes.plant import Plant
+
+
+@pytest.mark.parametrize(
+    ("told", "said"),
+    [
+        ("axiom: A\nA -> AB\nA -> BA", ["Line 3: A is replaced by line 2 first, always; where chance"]),
+        ("axiom: A(1)\nA(x) -> B\nA(x) : x > 1 -> C", ["Line 3: A(x) is replaced by line 2 first, always; what holds"]),
+        ("axiom: A\nA -> B\nA -(0.5)-> C\nA -(0.5)-> D", ["Line 3: A is replaced by line 2 first"]),
+        ("axiom: A\nA(x) -> F(x)", ["Line 2: A(x) never occurs; A does, and has no production"]),
+        ("axiom: A(1, 2)\nA(x) -> F(x)", ["Line 2: A(x) never occurs; A(...,...) does"]),
+        ("axiom: {F+F", ["{ draws nothing without }"]),
+        ("axiom: @Gs F @Gc F", ["@Gs draws nothing without @Ge"]),
+        ("axiom: A\nA -(0.5)-> AB\nA -(0.5)-> BA", []),
+        ("axiom: A(1)\nA(x) : x > 1 -> B\nA(x) -> C", []),
+        ("axiom: BA\nB < A -> B\nA -> C", []),
+        ("axiom: A A(1)\nA -> A(1)\nA(x) -> A", []),
+        ("axiom: {A\nA -> F+F}", []),
+        ("axiom: F\nX -> Y", []),
+    ],
+)
+def test_what_never_happens_is_noted(told, said):
+    found = notes(LSystem.parse(told))
+    assert len(found) == len(said) and all(note.startswith(begin) for note, begin in zip(found, said, strict=True))
+
+
+def test_systems_of_the_book_have_nothing_to_note():
+    assert [notes(LSystem.parse(text(entry))) for entry in ENTRIES] == [[]] * len(ENTRIES)
+
+
+def test_notes_are_described_and_told_with_the_mesh():
+    told = "axiom: FA\nA(x) -> F(x)"
+    (note,) = notes(LSystem.parse(told))
+    assert f"note: {note}" in described(LSystem.parse(told))
+    assert Plant(told).mesh().told == (note,)
+    assert Plant("axiom: F").mesh().told == ()
