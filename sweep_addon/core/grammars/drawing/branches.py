@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from ..deriving.neighbours import narrow
-from .running import Running
+from .running import GROUP, Running
 from .sums import Sums
 
 
@@ -47,8 +47,7 @@ class Branches:
 
     def __init__(self, brackets, opens):
         self.brackets, count = brackets, len(brackets) + 1
-        depth = np.concatenate(([0], np.cumsum(np.where(opens, 1, -1), dtype=np.int32)))
-        self.order = np.argsort(narrow(depth), kind="stable")
+        self.order = np.argsort(levels(opens), kind="stable")
         begins = np.concatenate(([True], opens))
         self.begins = begins[self.order]
         self.starts = np.flatnonzero(self.begins)  # of branches, in the sorted order
@@ -63,6 +62,10 @@ class Branches:
 
     @cached_property
     def branch(self):
+        return self.numbered()
+
+    def numbered(self):
+        """(b + 1,) int array: the same as `branch`, not kept."""
         found, number = np.empty(len(self.order), dtype=np.intp), np.cumsum(self.begins)
         number -= 1
         found[self.order] = number
@@ -106,12 +109,7 @@ class Branches:
             The sum with it.
 
         """
-        sums = Sums(self, first)
-        after, back = sums.of(values)
-        before = np.empty_like(after)
-        before[:1], before[1:] = 0, after[:-1]
-        before -= back
-        return before, after
+        return Sums(self, first).of(values.copy())
 
     def counts(self, steps):
         """(n,) int32 array: what whole numbers at modules of a word add up to on the way to each module.
@@ -130,18 +128,21 @@ class Branches:
         steps[self.brackets[self.closing[1:]]] -= own
         return np.cumsum(steps, out=steps)
 
-    def counts_at(self, steps, places, sums):
-        """The same at items alone: (m,) int32 array; ``sums`` are those of the items."""
+    def counts_at(self, steps, places, sums, dtype=np.int32):
+        """The same at items alone: (m,) array; ``sums`` are those of the items. As uint8 that is modulo 256."""
         counted = Running(steps)
-        found = counted.at(places)
+        at = counted.at if dtype == np.int32 else counted.bytes.take
+        found = at(places)
         if len(self.brackets):
-            own = np.zeros(len(self.starts), dtype=np.int32)
-            edges = np.zeros(len(self.order) + 1, dtype=np.int32)
-            edges[1:-1], edges[-1] = counted.at(self.brackets), counted.total
-            np.add.at(own, self.branch, edges[1:] - edges[:-1])  # of one type, else that takes twenty times as long
-            back = np.zeros(len(self.order) + 1, dtype=np.int32)
+            edges = np.zeros(len(self.order) + 1, dtype=dtype)
+            edges[1:-1], edges[-1:] = at(self.brackets), at(np.array([len(steps) - 1]))
+            own = np.zeros(len(self.starts), dtype=dtype)
+            np.add.at(
+                own, sums.branches_of, edges[1:] - edges[:-1]
+            )  # of one type, else that takes twenty times as long
+            back = np.zeros(len(self.order) + 1, dtype=dtype)
             back[self.closing[1:] + 1] = own[1:]
-            found -= np.cumsum(back, out=back).take(sums.stretch)
+            found -= np.cumsum(back, dtype=dtype).take(sums.stretch)
         return found
 
     def previous(self, first):
@@ -179,3 +180,13 @@ class Branches:
         stretch = np.searchsorted(self.brackets, places, side="right")
         found = np.searchsorted(np.flatnonzero(chosen), places, side="right") - 1
         return np.where(found >= first[stretch], found, self.latest(first)[stretch])
+
+
+def levels(opens):
+    """(b + 1,) int array: in how many branches each stretch is, in as few bytes as numbers can be sorted in."""
+    steps = np.zeros(len(opens) + 1, dtype=np.int8)
+    np.subtract(opens, ~opens, out=steps[1:], dtype=np.int8)
+    counted = Running(steps, GROUP)  # so that within a group no sum is below 0
+    if counted.before.min() >= GROUP and counted.before.max() <= 255 - GROUP:
+        return counted.bytes
+    return narrow(counted.at(np.arange(len(steps))))

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import turns
 from .running import Running
+from .sums import Sums
 
 WIDEST = 1 << 20  # headings in a table
 BLOCK = 1 << 15  # modules
@@ -35,11 +36,11 @@ class Plane:
         found[self.walk.numbers(right)] = -1
         return found
 
-    def counted(self, left, right):
+    def counted(self, left, right, sums=None):
         """(m,) int array: how often the turtle has turned left, and how often less right, on its way to each move."""
         walk, sense = self.walk, self.sense(left, right)
         if len(walk.branches.brackets):
-            return walk.branches.counts_at(walk.looked_up(sense), walk.moves, walk.sums)
+            return walk.branches.counts_at(walk.looked_up(sense), walk.moves, sums or Sums(walk.branches, walk.first))
         found = np.empty(len(walk.moves), dtype=np.int32)
         for part, places, sums in self.blocks(sense):
             found[part] = sums.at(places)
@@ -55,12 +56,12 @@ class Plane:
             before = sums.total
             yield slice(begin, stop), walk.moves[begin:stop] - edge, sums
 
-    def degrees(self):
+    def degrees(self, sums=None):
         """Angles, and which of them each move has; None where each has its own."""
         walk = self.walk
         if walk.turns_differ:
             return self.at_first + self.added(), None
-        count = self.counted("+", "-")
+        count = self.counted("+", "-", sums)
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
         if most - least > WIDEST:
             return self.at_first + count * walk.system.angle, None
@@ -77,9 +78,9 @@ class Plane:
         after = np.append(walk.branches.sums(given, walk.branches.first(chosen))[1], 0.0)
         return after[walk.branches.before(walk.moves, chosen)]
 
-    def headings(self):
+    def headings(self, sums=None):
         """Directions as complex numbers, and which of them each move has; None where each has its own."""
-        degrees, which = self.degrees()
+        degrees, which = self.degrees(sums)
         found = turns.unit(degrees)
         if self.halves is None:
             return found, which
@@ -87,10 +88,27 @@ class Plane:
             return found * (1 - 2 * self.halves), None
         return np.concatenate((found, -found)), which + len(found) * self.halves
 
-    def ways(self, length):
+    def ways(self, length, sums=None):
         """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
-        found, which = self.headings()
-        return length * (found if which is None else found.take(which))
+        if self.by_bytes and len(self.walk.branches.brackets):
+            walk = self.walk
+            steps = walk.looked_up(self.sense("+", "-"))
+            found, which = self.circle, walk.branches.counts_at(steps, walk.moves, sums, np.uint8)
+        else:
+            found, which = self.headings(sums)
+        if np.ndim(length) or which is None:
+            return length * (found if which is None else found.take(which))
+        return (found * length).take(which)
+
+    @property
+    def by_bytes(self):
+        """Whether a byte counts enough of the turns: 256 of them are whole turns of the circle."""
+        return not self.walk.turns_differ and self.halves is None and not self.walk.system.angle * COUNTED % 360
+
+    @property
+    def circle(self):
+        """(256,) complex array: the directions after so many turns."""
+        return turns.unit(self.at_first + np.arange(COUNTED) * self.walk.system.angle)
 
     def path(self, length):
         """Two (m, 3) float arrays: where moves of one length begin and end, of a word without branches.
@@ -110,19 +128,15 @@ class Plane:
         return made[:-1], made[1:]
 
     def parts(self, length):
-        """Moves in rows, and the ways that they go.
-
-        Where 256 turns are whole turns of the circle, a byte counts enough of them.
-        """
-        walk = self.walk
-        if walk.turns_differ or self.halves is not None or walk.system.angle * COUNTED % 360:
-            ways = self.ways(length)
-            for start in range(0, len(ways), BLOCK):
-                yield slice(start, min(start + BLOCK, len(ways))), ways[start : start + BLOCK]
+        """Moves in rows, and the ways that they go."""
+        if self.by_bytes:
+            found = self.circle * length
+            for part, places, sums in self.blocks(self.sense("+", "-")):
+                yield part, found.take(sums.bytes.take(places))
             return
-        found = turns.unit(self.at_first + np.arange(COUNTED) * walk.system.angle) * length
-        for part, places, sums in self.blocks(self.sense("+", "-")):
-            yield part, found.take(sums.bytes.take(places))
+        ways = self.ways(length)
+        for start in range(0, len(ways), BLOCK):
+            yield slice(start, min(start + BLOCK, len(ways))), ways[start : start + BLOCK]
 
     def quaternions(self):
         """Quaternions at each move."""

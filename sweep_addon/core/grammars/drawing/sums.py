@@ -13,6 +13,8 @@ import numpy as np
 class Sums:
     """Sums at items of a word.
 
+    What is kept for several sums is large, so a figure does not keep it: memory that is given back comes back slowly.
+
     Parameters
     ----------
     branches : Branches
@@ -36,40 +38,43 @@ class Sums:
         return np.cumsum(steps, out=steps)
 
     @cached_property
+    def branches_of(self):
+        """(b + 1,) int array: the branch of each stretch."""
+        return self.branches.numbered()
+
+    @cached_property
     def branch(self):
         """(n,) int array: the branch of each item."""
-        return self.branches.branch.take(self.stretch)
+        found = self.branches_of.take(self.stretch)
+        del self.branches_of, self.stretch  # of which there is no more use
+        return found
 
     @cached_property
     def behind(self):
         """The first item behind each branch but the stem."""
-        return self.first[self.branches.closing[1:] + 1]
-
-    @cached_property
-    def ended(self):
-        """Items before which a branch has ended, each once."""
-        ended = np.zeros(self.first[-1] + 1, dtype=bool)
-        ended[self.behind] = True
-        return np.flatnonzero(ended[:-1])
+        return self.first.take(self.branches.closing[1:] + 1)
 
     def of(self, values):
-        """The sums with each item, and what those before an item have more than the way to it.
+        """The sums before each item, and with it.
 
         Parameters
         ----------
         values : (n,) array
+            Which the sums overwrite.
 
         Returns
         -------
-        (n,) array
-        (n,) array or int
+        two (n,) arrays
         """
+        before = np.zeros(len(values) + 1, dtype=values.dtype)
         if not len(self.branches.brackets):
-            return np.cumsum(values, dtype=values.dtype), 0
+            return before[:-1], np.cumsum(values, out=before[1:])
         own = np.zeros(len(self.branches.starts), dtype=values.dtype)
         np.add.at(own, self.branch, values)
-        back = np.zeros(len(values) + 1, dtype=values.dtype)
+        back = before  # what the sum before an item has more than the way to it
         np.add.at(back, self.behind, own[1:])
-        back = back[:-1]
-        after = values - back
-        return np.cumsum(after, out=after), back
+        values -= back[:-1]
+        np.cumsum(values, out=values)
+        np.subtract(values, back[1:], out=before[1:])
+        before[0] = 0
+        return before[:-1], values

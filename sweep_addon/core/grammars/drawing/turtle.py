@@ -86,11 +86,6 @@ class Walk:
         """(b + 2,) int array: which of the moves is the first of each stretch, and how many there are."""
         return self.branches.first(self.is_moving)
 
-    @cached_property
-    def sums(self):
-        """Of the moves, what adds up on the way to each."""
-        return Sums(self.branches, self.first)
-
     def numbers(self, *names):
         """The numbers of all modules of these names."""
         return [number for name in names for number, _ in self.named.get(name, ())]
@@ -137,17 +132,18 @@ class Walk:
         if self.stops:
             length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
         bounded(length if np.ndim(length) else length * len(self.moves), np.sum, "go at most {} m in all")
+        sums = Sums(self.branches, self.first)
         if not self.spatial and self.along != "z":
             plane = Plane(self)
             if np.ndim(length) or len(self.branches.brackets):
-                start, end = self.points(plane.ways(length))
+                start, end = self.points(sums, plane.ways(length, sums))
             else:
                 start, end = plane.path(length)
             found = plane.quaternions
         else:
             pair = Tokens(self).orientations()
             x, yz = turns.heading(*pair)
-            start, end = self.points(x * length, yz * length)
+            start, end = self.points(sums, x * length, yz * length)
 
             def found():
                 return pair
@@ -156,21 +152,17 @@ class Walk:
             start, end = self.cylinders.shaped(self, start, end, found())
         return Figure(self, start, end, found)
 
-    def points(self, *ways):
+    def points(self, sums, *ways):
         """Two (n, 3) float arrays: where moves begin and end that go ways, real ones along x or complex ones across."""
+        found = [each for way in ways for each in zip(*map(parts, sums.of(way)), strict=True)]
         count, branched = len(self.moves), bool(len(self.branches.brackets))
-        made = np.empty((2, count, 3) if branched else (count + 1, 3))  # large blocks are what allocators keep
-        start, end = made if branched else (made[:-1], made[1:])  # without branches each begins where the last one ends
-        sums = [self.sums.of(way) for way in ways]
-        columns = parts(after for after, _ in sums)
-        end[:, len(columns) :] = 0
-        for column, after in enumerate(columns):
+        made = np.empty((2, count, 3) if branched else (count + 1, 3))  # without branches each begins where one ends
+        start, end = made if branched else (made[:-1], made[1:])
+        start[:1], made[..., len(found) :] = 0, 0
+        for column, (before, after) in enumerate(found):
+            if branched:
+                start[:, column] = before
             end[:, column] = after
-        start[:1] = 0
-        if branched:
-            start[1:], behind = end[:-1], self.sums.ended
-            for column, back in enumerate(parts(back.take(behind) for _, back in sums)):
-                start[behind, column] -= back
         return start, end
 
     @property
@@ -196,5 +188,5 @@ class Walk:
 
 
 def parts(numbers):
-    """Arrays of numbers as real ones: complex ones are two."""
-    return [part for each in numbers for part in ((each.real, each.imag) if np.iscomplexobj(each) else (each,))]
+    """The real arrays that an array of numbers is made of."""
+    return (numbers.real, numbers.imag) if np.iscomplexobj(numbers) else (numbers,)
