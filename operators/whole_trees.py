@@ -21,7 +21,8 @@ class OBJECT_OT_sweep_tree_choose_solver(OnTree, Operator):
 
     def execute(self, context):
         parts = solvers.parts(context.active_object)
-        told = [solvers.make_solid(part) for part in parts] + [solvers.choose(part) for part in parts]
+        ask = (solvers.make_solid, solvers.choose, solvers.lost_faces)
+        told = [of_part(part) for of_part in ask for part in parts]
         for sentence in dict.fromkeys(filter(None, told)):
             self.report({"WARNING"}, sentence)
         return {"FINISHED"}

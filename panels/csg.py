@@ -151,6 +151,8 @@ def draw_warnings(layout, ob, steps, held, bent, used, say):
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
     if meeting or bool(why or lacking) == fast:
         layout.operator("object.sweep_tree_choose_solver")
+    for sentence in filter(None, map(solvers.lost_faces, (ob, *others, *bare))):
+        say(layout, sentence, "ERROR")
     if trees.is_empty(ob):
         say(layout, "Nothing is left: the steps take all of it away.", "ERROR")
     lost = [trees.is_lost(step) for step, operand in zip(steps, held, strict=True) if operand is None]

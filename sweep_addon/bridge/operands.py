@@ -26,7 +26,7 @@ def combine(result, operands, operation):
     Returns
     -------
     tuple of str
-        What a person should know: why the solver is the slower one, and what meets itself.
+        What a person should know: why the solver is the slower one, what meets itself, and what cuts nothing.
 
     Raises
     ------
@@ -37,7 +37,8 @@ def combine(result, operands, operation):
         require_apart(result, operand)
         require_new(result, operand, BLENDERS[operation])
     bpy.context.view_layer.update()  # of where they stand
-    told = [solvers.make_solid(part) for ob in (result, *operands) for part in solvers.parts(ob)]
+    parts = [part for ob in (result, *operands) for part in solvers.parts(ob)]
+    told = [told_of(part) for told_of in (solvers.make_solid, solvers.lost_faces) for part in parts]
     for operand in operands:
         adopt(result, operand)
         add_step(result, operation, operand)

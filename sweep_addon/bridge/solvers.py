@@ -17,6 +17,7 @@ crossings = later("bridge.crossings")
 
 MISSING = "This Blender has no manifold solver."
 FAST, SURE = "MANIFOLD", "EXACT"
+PLANT = "PLANT"  # the kind of a mesh that a grammar makes
 NAMES = {FAST: "manifold", SURE: "exact", "FLOAT": "float", "FAST": "float"}  # as Blender writes them
 
 
@@ -33,10 +34,12 @@ def choose(ob):
     str
         Why it is not the faster one; nothing where it is.
     """
-    why = why_not_fast(ob)
+    why, overlapping = why_not_fast(ob), overlaps(ob)
     for modifier in trees.booleans(ob):
+        operand = trees.operand_of(modifier)
         modifier.solver = SURE if why else FAST
         modifier.use_hole_tolerant = bool(why)
+        modifier.use_self = overlapping or bool(operand) and overlaps(operand)
     return why
 
 
@@ -46,7 +49,7 @@ def why_not_fast(ob):
         return f"{MISSING} The exact one is used, which is slower."
     mirrored = ob.matrix_world.is_negative
     for each in parts(ob):
-        why = why_exact(each, mirrored, is_closed)
+        why = why_exact(each, mirrored, is_closed) or crosses(each) and f"{each.name!r} meets itself"
         if why:
             return f"{why}: the exact solver is used, which is slower."
     return ""
@@ -65,6 +68,8 @@ def why_exact(part, mirrored, closed):
     """
     if not closed(mesh_of(part)):
         return f"{part.name!r} is not closed and manifold"
+    if is_plant(part):
+        return f"{part.name!r} overlaps itself where it branches, and the manifold solver would count that twice"
     if part.matrix_world.is_negative != mirrored:
         return f"{part.name!r} is mirrored, which the manifold solver turns inside out"
     return ""
@@ -139,7 +144,8 @@ def seen_exact(ob, bare, others):
     for part in bare:
         mesh = part.data
         edges = len(mesh.edges)
-        if len(mesh.loops) != 2 * edges or not edges or part.matrix_world.is_negative != mirrored:
+        fits = len(mesh.loops) == 2 * edges > 0 and part.matrix_world.is_negative == mirrored
+        if not fits or is_plant(part):
             return why_exact(part, mirrored, seems_closed)
     return next(filter(None, (why_exact(part, mirrored, seems_closed) for part in others)), "")
 
@@ -183,6 +189,25 @@ def make_solid(ob):
         group.make_solid = True
         return ""
     return f"{ob.name!r} meets itself: where it does, what is left of it is undefined."
+
+
+def is_plant(ob):
+    """Whether an object is a plant, whose tubes begin in others."""
+    return objects.is_sweep(ob) and ob.data.sweep.kind == PLANT
+
+
+def overlaps(ob):
+    """Whether an object's own mesh may overlap itself and is closed: the exact solver unites no other."""
+    return (is_plant(ob) or crosses(ob)) and seems_closed(ob.data)
+
+
+def lost_faces(ob):
+    """What a person should know of a plant that no solver takes whole: its leaves; nothing for any other."""
+    if not is_plant(ob) or seems_closed(ob.data):
+        return ""
+    if not ob.data.polygons:
+        return f"{ob.name!r} is edges alone: it cuts nothing."
+    return f"{ob.name!r} has open faces: leaves cut nothing, and where its tubes overlap the result is undefined."
 
 
 def crosses(ob):

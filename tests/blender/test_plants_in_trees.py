@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plants as operands of set operations in Blender: their tubes overlap, and their leaves are open."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from layouts import Layout
+from scenes import cube, places, shown
+from test_panels import context_of
+
+import sweep_addon as sw
+from sweep_addon.bridge import operands, solvers, trees
+
+THICK, THIN = 0.1, 0.05  # radii of octagonal tubes
+BAR = "axiom: [!(0.2) F(2)] f(0.7) !(0.1) F(3)"  # the thin one begins within the thick one
+LEAF = " [f(0.3) +(120) { f(0.3) +(120) f(0.3) +(120) f(0.3) }]"
+
+
+def area(radius):
+    """Of a regular octagon with corners on a circle."""
+    return 2 * np.sqrt(2) * radius**2
+
+
+WITHIN = 1.5 * area(THICK) + 0.5 * area(THIN)  # of the bar in the cube of 8 cubic metres
+BEYOND = 0.5 * area(THICK) + 1.2 * area(THIN)
+
+
+def plant(text, name="plant"):
+    ob = sw.to_object(sw.Plant(text, upright=True), name)
+    ob.location.z = -0.5
+    return ob
+
+
+def body():
+    return cube(2.0, (0.013, 0.017, 1.0), "body")
+
+
+def sidebar(ob):
+    layout = Layout()
+    bpy.types.VIEW3D_PT_sweep_csg.draw(SimpleNamespace(layout=layout), context_of(ob))
+    return " ".join(layout.drawn)
+
+
+@pytest.mark.parametrize(
+    ("operation", "volume"), [("union", 8 + BEYOND), ("intersection", WITHIN), ("difference", 8 - WITHIN)]
+)
+@pytest.mark.parametrize("first", ["body", "plant"])
+def test_tubes_that_overlap_count_once(scene, operation, volume, first):
+    parts = {"body": body(), "plant": plant(BAR)}
+    result = parts.pop(first)
+    operands.combine(result, list(parts.values()), operation)
+    if (operation, first) == ("difference", "plant"):
+        volume = BEYOND
+    assert shown(result).volume() == pytest.approx(volume, rel=1e-5)
+    assert {step.solver for step in trees.booleans(result)} == {"EXACT"}
+
+
+def test_the_first_plant_of_the_menu_is_cut_out_once(scene):
+    bpy.ops.mesh.plant_add()
+    tree, block = bpy.context.object, cube(1.0, (0, 0, 1), "body")
+    tree.location = (0.01, 0.02, 0.03)
+    tree.data.sweep.plant.generations = 4
+    operands.combine(block, [tree], "difference")
+    left = shown(block).volume()
+    trees.booleans(block)[0].operation = "INTERSECT"
+    assert 0.99 < left < 0.999 and left + shown(block).volume() == pytest.approx(1, rel=1e-5)
+
+
+def test_a_mesh_that_only_stands_by_itself_is_not_united_with_itself(scene):
+    block, other = body(), cube(1.0, (1, 0, 1), "other")
+    operands.combine(block, [other], "difference")
+    assert not trees.booleans(block)[0].use_self
+
+
+def test_leaves_are_said_to_cut_nothing(scene):
+    block, oak = body(), plant(BAR + LEAF, "oak")
+    assert len(oak.data.loops) < 2 * len(oak.data.edges)
+    told = operands.combine(block, [oak], "difference")
+    assert "'oak' has open faces: leaves cut nothing, and where its tubes overlap the result is undefined." in told
+    assert "leaves cut nothing" in sidebar(block)
+    assert not trees.booleans(block)[0].use_self  # which unites closed meshes alone, and takes long to leave others
+
+
+def test_a_plant_without_leaves_and_other_meshes_lose_nothing(scene):
+    block, other = body(), plant(BAR)
+    told = operands.combine(block, [other], "difference")
+    assert not any("cut" in sentence for sentence in told) and "cut nothing" not in sidebar(block)
+    other.data.sweep.plant.output = "EDGES"
+    assert len(places(other.data)) and solvers.lost_faces(other) == "'plant' is edges alone: it cuts nothing."
