@@ -30,26 +30,28 @@ class Tokens:
         kinds[walk.numbers(*TURNS, ABOUT)] = SPIN
         kinds[walk.numbers(*LEVELS)] = LEVEL
         kinds[walk.moving[: len(kinds)]] = MOVE
-        self.kind = walk.looked_up(kinds)
+        whole = walk.looked_up(kinds)
         if walk.regions:
-            self.kind = np.where(walk.regions.closing, 0, self.kind).astype(np.uint8)
-        chosen = self.kind > 0
+            whole = np.where(walk.regions.closing, 0, whole).astype(np.uint8)
+        chosen = whole > 0
         places = np.flatnonzero(chosen)
-        kind = self.kind[places]
+        kind = whole.take(places)
         first = walk.branches.first(chosen)
 
         new = np.zeros(len(places) + 1, dtype=bool)
         new[first[:-1]] = True
         new = new[:-1]
         new[1:] |= (kind[:-1] == MOVE) | ((kind[:-1] == LEVEL) & (kind[1:] != MOVE))
-        self.token = np.cumsum(new) - 1
-        self.count = int(self.token[-1]) + 1 if len(places) else 0
-        self.first = np.append(self.token, self.count)[first]
-        self.of_move = self.token[kind == MOVE]
+        numbered = np.empty(len(places) + 1, dtype=np.intp)
+        token = np.cumsum(new, out=numbered[:-1])
+        self.count = numbered[-1] = int(token[-1]) if len(places) else 0
+        token -= 1
+        self.first = numbered.take(first)
+        self.of_move = token.take(np.flatnonzero(kind == MOVE))  # a third of the time of a mask
         self.is_level = np.zeros(self.count, dtype=bool)
-        self.is_level[self.token[kind == LEVEL]] = True
+        self.is_level[token.take(np.flatnonzero(kind == LEVEL))] = True
         spin = np.flatnonzero(kind == SPIN)
-        self.relative = turns.products_of_runs(*self.spins(places[spin]), self.token[spin], self.count)
+        self.relative = turns.products_of_runs(*self.spins(places.take(spin)), token.take(spin), self.count)
 
     def spins(self, places):
         """The rotations of modules: looked up where the angle is always the same."""
