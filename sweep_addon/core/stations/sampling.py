@@ -11,7 +11,7 @@ from ..declared.frozen import individual
 from ..declared.parameters import Array, ShapeError, count, declared, length, parameter, require
 from ..later import later
 from ..trajectories.curve import SAME_DIRECTION, SHARPEST
-from ..vectors import dot, norms, unit
+from ..vectors import differing, dot, norms, unit
 
 distinct, fewest = later("core.stations.spreading", "distinct", "fewest")
 spread, spread_evenly = later("core.stations.spreading", "spread", "spread_evenly")
@@ -128,7 +128,7 @@ class Stations:
     @cached_property
     def corners(self):
         """Indices of the stations where the tangent turns at once: (k,)."""
-        return np.flatnonzero((self.arrive != self.leave).any(axis=1))
+        return differing(self.arrive, self.leave)
 
     @cached_property
     def tangent(self):
@@ -227,7 +227,7 @@ def stations(trajectory, s):
         gone = norms(lost) == 0
         lost[gone] = other[gone]
     bends = bend(trajectory, u, first=first)
-    unlike = np.flatnonzero((arrive != leave).any(axis=1))
+    unlike = differing(arrive, leave)
     turn = leave[unlike] - arrive[unlike]
     back = dot(arrive[unlike], leave[unlike]) < SHARPEST
     if back.any():
