@@ -9,6 +9,7 @@ from ..core.later import later
 
 mark = later("bridge.meshes", "mark")
 has_fast = later("bridge.solvers", "has_fast")
+follow = later("bridge.texts", "follow")
 inputs, renders_otherwise = later("bridge.objects", "inputs", "renders_otherwise")
 finding, reading = later("properties.finding"), later("properties.reading")
 differs, rebuild, set_if_other = later("properties.live", "differs", "rebuild", "set_if_other")
@@ -49,6 +50,14 @@ def after_history(*_):
         reading.begin()
     if any(finding.is_due(mesh) for mesh in sweeps()):
         finding.soon()
+
+
+@persistent
+def at_file(*_):
+    """A script may have written into a text, of which Blender tells nobody: a file has mesh and text together."""
+    for mesh in sweeps():
+        if mesh.sweep.kind == "PLANT":
+            follow(mesh)
 
 
 @persistent
@@ -101,10 +110,12 @@ HANDLERS = (
     (bpy.app.handlers.frame_change_post, after_frame),
     (bpy.app.handlers.render_complete, after_render),
     (bpy.app.handlers.render_cancel, after_render),
+    (bpy.app.handlers.save_pre, at_file),
     (bpy.app.handlers.undo_post, after_history),
     (bpy.app.handlers.redo_post, after_history),
     (bpy.app.handlers.load_post, after_history),
     (bpy.app.handlers.load_post, after_load),
+    (bpy.app.handlers.load_post, at_file),
 )
 
 

@@ -35,10 +35,11 @@ def rebuild(mesh, depsgraph=None):
     if sweep.kind == GROWN and not (depsgraph and depsgraph.mode == "RENDER"):
         texts.follow(mesh)
         reading.begin()
+    source = source_of(mesh, depsgraph)
     try:
         if mesh.shape_keys:
             raise ShapeError(SHAPE_KEYS)
-        shapes = objects.shapes(mesh.evaluated_get(depsgraph) if depsgraph else mesh, depsgraph)
+        shapes = objects.shapes(source, depsgraph)
         wanted, later = digest(shapes), waits(depsgraph)
         if wanted == sweep.made and not sweep.error and (later or not sweep.solid):
             return
@@ -53,6 +54,15 @@ def rebuild(mesh, depsgraph=None):
         return
     made = joined(made)
     put(mesh, made, wanted, AWAITED if later and any(map(wants_solid, shapes)) else "")
+
+
+def source_of(mesh, depsgraph):
+    """The mesh whose parameters count: the evaluated one, or the original if a text was read since."""
+    if not depsgraph:
+        return mesh
+    evaluated = mesh.evaluated_get(depsgraph)
+    stale = mesh.sweep.kind == GROWN and evaluated.sweep.plant.system != mesh.sweep.plant.system
+    return mesh if stale else evaluated
 
 
 def put(mesh, made, wanted, solid=""):

@@ -87,6 +87,61 @@ def test_an_edited_text_makes_the_mesh_anew(scene):
     assert height(ob) == pytest.approx(3)
 
 
+def written(ob, told=True):
+    """Change the text as the documented lines of a script do, from a stem of 2 m to one of 4 m."""
+    parameters_of(ob).system_text.from_string("axiom: F(4)")
+    if told:
+        ob.data.update_tag()
+
+
+@pytest.mark.parametrize("follow", ["update", "frame"])
+def test_a_text_that_a_script_changes_makes_the_mesh_anew_and_it_stays(scene, follow):
+    ob = plant()
+    bpy.context.view_layer.update()
+    written(ob)
+    if follow == "update":
+        bpy.context.view_layer.update()
+    else:
+        scene.frame_set(5)
+    assert height(ob) == pytest.approx(4)
+    bpy.context.view_layer.update()
+    scene.frame_set(6)
+    assert height(ob) == pytest.approx(4)
+
+
+def test_an_exporter_sees_the_mesh_of_a_text_that_a_script_has_changed(scene):
+    ob = plant()
+    bpy.context.view_layer.update()
+    written(ob)
+    assert height(ob.evaluated_get(bpy.context.evaluated_depsgraph_get())) == pytest.approx(4)
+
+
+@pytest.mark.parametrize("told", [True, False])
+def test_a_file_is_saved_with_the_mesh_of_its_text(scene, tmp_path, told):
+    ob = plant()
+    bpy.context.view_layer.update()
+    written(ob, told)
+    path = str(tmp_path / "plant.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    name = ob.name
+    with bpy.data.libraries.load(path) as (held, brought):
+        brought.objects = [name]
+    assert height(brought.objects[0]) == pytest.approx(4)  # nothing reads the texts of what is appended
+
+
+def test_a_file_that_was_saved_with_another_mesh_is_brought_up_to_date(scene, tmp_path, monkeypatch):
+    ob = plant()
+    bpy.context.view_layer.update()
+    written(ob, told=False)
+    name, path = ob.name, str(tmp_path / "plant.blend")
+    with monkeypatch.context() as without:
+        without.setattr("sweep_addon.properties.handlers.follow", lambda mesh: None)
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+    assert height(ob) == pytest.approx(2)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    assert height(bpy.data.objects[name]) == pytest.approx(4)
+
+
 def test_a_text_with_mistakes_leaves_the_mesh_and_says_where(scene):
     ob = plant()
     edit(ob, "[+(a)", "[+(a")
