@@ -12,6 +12,7 @@ from ..deriving.neighbours import narrow
 
 LONG = 32  # rotations in a row that are multiplied one by one
 FEW = 300  # tokens in a wave below which blocks of waves are quicker
+LEAST = np.finfo(float).tiny  # of the sine between a heading and a tropism, so that it divides
 UPRIGHT = 1e-12  # of the sine between heading and up, below which nothing is level
 
 
@@ -99,12 +100,12 @@ def bent(z, w, towards, ease):
     """Turn the heading towards a direction, its x and y + iz, by the sine between them times the ease, in radians."""
     x, yz = heading(z, w)
     tx, tyz = towards
-    across = yz * tyz.conjugate()
-    axis_x = -across.imag
-    axis_yz = -1j * (tx * yz - x * tyz)
+    axis_x = (yz * -tyz.conjugate()).imag
+    axis_yz = -1j * tx * yz - x * (-1j * tyz)
     size = np.sqrt(axis_x**2 + axis_yz.real**2 + axis_yz.imag**2)
-    sine = np.sin(ease * size / 2) / np.where(size > 0, size, 1)
-    turn = np.cos(ease * size / 2) + 1j * sine * axis_x, sine * axis_yz
+    half = ease / 2 * size
+    sine = np.sin(half) / np.maximum(size, LEAST)
+    turn = np.cos(half) + 1j * sine * axis_x, sine * axis_yz
     return product(turn, (z, w))
 
 
