@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 
 from ..core.declared.grammar_text import Grammar, Values
-from ..core.declared.parameters import ShapeError
+from ..core.declared.parameters import ShapeError, require
 from ..core.shapes import growing
 from ..core.shapes.plant import SAID
 from . import rna
@@ -25,8 +25,10 @@ STEP = 1.0  # hundredths of the value, by which a pixel changes a number without
 
 
 def numbers(values):
-    """What the properties of constants hold: a tuple of names and numbers."""
-    return tuple((key.rstrip(), meant(value)) for key, value in values.items() if isinstance(value, NUMBER))
+    """What the properties of constants hold: a tuple of names and numbers; anything else is refused."""
+    for name, value in values.items():
+        require(isinstance(value, NUMBER), "must be a number", value, f"constants.{name.rstrip()}")
+    return tuple((name.rstrip(), meant(value)) for name, value in values.items())
 
 
 def key(name):

@@ -72,6 +72,15 @@ def test_a_slider_makes_the_mesh_anew(scene):
     assert sw.from_object(ob).constants == {"l": 1.5}
 
 
+def test_a_constant_that_a_script_makes_no_number_is_refused_until_it_is_one(scene):
+    ob = plant()
+    turned(ob, "l", "long")
+    assert ob.data.sweep.error.startswith("constants.l: must be a number") and "'long'" in ob.data.sweep.error
+    assert height(ob) == pytest.approx(2)
+    turned(ob, "l", 1.5)
+    assert ob.data.sweep.error == "" and height(ob) == pytest.approx(3)
+
+
 def test_a_constant_turns_what_the_text_says_by_it(scene):
     ob = plant("#define a 0  # 0 .. 180 deg\n#angle a\naxiom: F+F")
     assert height(ob) == pytest.approx(2)
