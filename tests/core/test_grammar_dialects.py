@@ -292,3 +292,10 @@ def test_hostile_texts_of_cpfg_are_read_or_refused_soon(told):
     with suppress(GrammarError):
         LSystem.parse(f"#dialect cpfg\n{told}")
     assert time.process_time() - started < 5
+
+
+def test_a_condition_in_the_notation_of_the_book_is_told_as_one_in_lpy():
+    with pytest.raises(GrammarError) as refusal:
+        LSystem.parse("#dialect lpy\nAxiom: B(3,1)\nproduction:\nB(x,y) : x > 3 --> B(x-1, y)")
+    (problem,) = refusal.value.problems
+    assert problem.expected.startswith("no condition, which L-Py has in Python") and "x > 3" in problem.found

@@ -49,3 +49,11 @@ def test_what_is_no_production_is_refused(head, function, sentence):
 def test_a_wrong_head_or_an_open_branch_is_told_as_in_a_text(head, function):
     with pytest.raises(GrammarError, match="line 1, column"):
         LSystem.parse(AXIOM).with_production(head, function)
+
+
+@pytest.mark.parametrize(("head", "takes"), [("A(x)", "the parameters x of the head"), ("A", "no parameters")])
+def test_a_function_that_takes_other_parameters_than_the_head_is_refused(head, takes):
+    system = LSystem.parse("axiom: A(1)")
+    function = (lambda: ["F"]) if "x" in head else (lambda x: ["F"])
+    with pytest.raises(ShapeError, match=f"function: must take {takes}.*, got one that takes "):
+        system.with_production(head, function)

@@ -126,6 +126,14 @@ def test_angles_of_formulas_are_degrees():
         ("axiom: F]+F\n", 1, 9, "'[' before it", "']'"),
         ("axiom: F\nF -> F[+F]]", 2, 11, "'[' before it", "']'"),
         ("axiom: F\nF -> F(", 2, 7, "')' after it", "'('"),
+        (
+            "axiom: F\nF .33→ FF",
+            2,
+            1,
+            "one module to be replaced; a probability stands in the arrow: F -(0.5)",
+            "'F .33'",
+        ),
+        ("axiom: A(1)\nA(p) -(p)-> F", 2, 1, "one module to be replaced; a probability is a constant", "'A(p) -(p)'"),
         ("axiom: F\nF -> F[+(25F]F", 2, 9, "')' after it", "'('"),
         ("axiom: F\nG(x -> F", 2, 2, "')' after it and before the arrow", "'('"),
         ("axiom: F\nA(x) : x > (1 -> F", 2, 12, "')' after it and before the arrow", "'('"),
@@ -176,6 +184,27 @@ def test_what_is_wrong_is_told_with_its_place(told, line, column, expected, foun
     assert problem.expected.startswith(expected) and problem.found.startswith(found)
     source, caret = problem.shown.split("\n")
     assert source[4:].strip() in told and caret.index("^") == 4 + column - 1
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("premise: A", "'#dialect houdini'"),
+        ("X=F[+X]", "'#dialect houdini', or Fractint's, '#dialect fractint'"),
+        ("A(i)=F", "'#dialect houdini'"),
+        ("derivation length: 3", "'#dialect cpfg', those of L-Py with '#dialect lpy'"),
+        ("Lsystem: 1", "'#dialect cpfg'"),
+        ("module A(x)", "'#dialect lpy'"),
+        ("Koch {", "'#dialect fractint'"),
+        ("angle: 25", "'#angle 25'"),
+        ("p24f.l", "system = { file = '...' }"),
+        ("trees/honda.txt", "system = { file = '...' }"),
+    ],
+)
+def test_a_line_of_another_notation_is_told_where_it_is_read(line, said):
+    with pytest.raises(GrammarError) as refusal:
+        LSystem.parse(line)
+    assert said in refusal.value.problems[0].expected and "->" in refusal.value.problems[0].expected
 
 
 def test_directives_are_read_in_any_case_and_angles_with_a_degree_sign():
@@ -319,5 +348,5 @@ def test_a_fraction_is_no_condition_of_another_program(text):
 
 
 def test_a_probability_without_a_value_is_told_how_to_have_one():
-    with pytest.raises(GrammarError, match="of a probability p is a number: #define p 0.5, found 'A -"):
+    with pytest.raises(GrammarError, match="a probability is a constant, no parameter: #define p 0.5, found 'A -"):
         LSystem.parse("axiom: A\nA -(p)-> B")

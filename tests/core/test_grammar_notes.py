@@ -5,7 +5,8 @@
 import pytest
 from test_grammar_conformance import ENTRIES, text
 
-from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.grammars import GrammarError, LSystem
 from sweep_addon.core.grammars.deriving.describing import described
 from sweep_addon.core.grammars.deriving.noting import notes
 from sweep_addon.core.shapes.plant import Plant
@@ -44,3 +45,14 @@ def test_notes_are_described_and_told_with_the_mesh():
     assert f"note: {note}" in described(LSystem.parse(told))
     assert Plant(told).mesh().told == (note,)
     assert Plant("axiom: F").mesh().told == ()
+
+
+def test_what_is_wrong_with_a_statement_is_told_once():
+    with pytest.raises(GrammarError) as refusal:
+        LSystem.parse("axiom: F\nstart: n := 1")
+    assert len(refusal.value.problems) == 1
+
+
+def test_a_number_of_segments_is_refused_by_the_module_that_says_it():
+    with pytest.raises(ShapeError, match="@Ge: must ask for 1 to 1000 segments, got -3"):
+        LSystem.parse("axiom: @Gs F @Gc F @Ge(-3)").derive(0).figure()

@@ -9,6 +9,7 @@ import numpy as np
 from .parameters import Array, parameters
 from .wording import spelled
 
+MANY = 40  # names that a refusal tells
 LONGEST = 40  # characters of what may be a name with a slip in it
 FIGURES = {  # by the names that people have for them: the kind, and what it is told
     "triangle": ("regular-polygon", "sides = 3"),
@@ -55,6 +56,21 @@ def hint(names, value):
     if callable(value) and "constant" in names:
         return ': say a formula in text, as "2*pi*t"'
     return ""
+
+
+def one_of(names, value):
+    """Which names there are: all, or of many only the nearest.
+
+    >>> one_of(["line", "arc"], "lin")
+    'one of line, arc'
+    >>> one_of([f"tree_{number}" for number in range(100)], "tree 7")
+    'one of 100 names, as tree_7, tree_97, tree_87'
+    """
+    if len(names) <= MANY:
+        return f"one of {', '.join(names)}"
+    spelled = value.lower().replace(" ", "_")[:LONGEST] if isinstance(value, str) else ""
+    near = get_close_matches(spelled, names, 3, 0.4) or sorted(names)[:3]
+    return f"one of {len(names)} names, as {', '.join(near)}"
 
 
 def of_a_list(names):

@@ -382,6 +382,6 @@ def filled(kind, declared, table):
 def pick(names, value):
     if isinstance(value, str) and value in names:
         return names[value]
-    from .hints import hint  # nobody needs it until something is refused
+    from .hints import hint, one_of  # nobody needs it until something is refused
 
-    raise ShapeError(f"must be one of {', '.join(names)}, got {shown(value)}{hint(names, value)}")
+    raise ShapeError(f"must be {one_of(names, value)}, got {shown(value)}{hint(names, value)}")

@@ -6,6 +6,7 @@ No file can hold one; a program adds it to a system that was read.
 """
 
 from dataclasses import replace
+from inspect import signature
 
 import numpy as np
 
@@ -46,6 +47,26 @@ class Called:
         return listed(self.function(*(values[name] for name in self.names)))[self.place][1 + self.column]
 
 
+def takes(function, count):
+    """Whether a function takes so many parameters; what says nothing of itself, as some of NumPy's, may."""
+    try:
+        signature(function).bind(*(None,) * count)
+    except TypeError:
+        return False
+    except ValueError:
+        return True
+    return True
+
+
+def told(names):
+    """What a function must take.
+
+    >>> told(("x", "y")), told(())
+    ('the parameters x, y of the head', 'no parameters, as the head has none')
+    """
+    return f"the parameters {', '.join(names)} of the head" if names else "no parameters, as the head has none"
+
+
 def listed(result):
     """What a function returned, each module as a tuple of its name and its parameters."""
     require(isinstance(result, (list, tuple)), "must return a list of modules", result, "function")
@@ -60,8 +81,10 @@ def with_production(system, head, function):
     alphabet = Alphabet(system.names)
     try:
         rule, names = patterned(Passage(f"{head} -> {EMPTY}", 1), alphabet, constants)
+        if not takes(function, len(names)):
+            raise ShapeError(f"must take {told(names)}, got one that takes {signature(function)}", "function")
         made = listed(function(*(np.ones(1) for _ in names)))
-        successor = tuple(module(function, place, told, names, alphabet) for place, told in enumerate(made))
+        successor = tuple(module(function, place, each, names, alphabet) for place, each in enumerate(made))
         letters = [Letter(each.name, 0, ()) for each in successor]
         paired(Passage("".join(each.name for each in successor), 1), letters)
     except PassageError as wrong:

@@ -124,6 +124,10 @@ class Reader:
         head, body = passage.part(0, at), passage.part(at + 3)
         if ">>" in head.text or "<<" in head.text:
             passage.refuse("contexts with < and >, of the word before the step", 0, shown(head.text))
+        colon = outside(head.text, ":")
+        if colon >= 0:
+            expected = "no condition, which L-Py has in Python; without '#dialect lpy' it is A(x) : x > 3 -> B"
+            head.refuse(expected, colon, shown(head.part(colon).text))
         contexts = headed(*(part and self.heads(part) for part in around(head)))
         return f"{contexts} -> {self.word(body) if body.text not in ('', '*') else '*'}"
 

@@ -132,6 +132,7 @@ def segments(word, places):
     given = np.array([count > 0 for _, count in word.tables.symbols])[word.symbols[places]]
     asked = np.where(given, word.columns[0][places] if word.columns else 0, SEGMENTS)
     if not ((asked >= 1) & (asked <= MOST_SEGMENTS)).all():
-        wrong = asked[~((asked >= 1) & (asked <= MOST_SEGMENTS))][0]
-        raise ShapeError(f"must ask for 1 to {MOST_SEGMENTS} segments, got {wrong:g}", MARKS[1])
+        wrong = np.flatnonzero(~((asked >= 1) & (asked <= MOST_SEGMENTS)))[0]
+        name, _ = word.tables.symbols[word.symbols[places[wrong]]]
+        raise ShapeError(f"must ask for 1 to {MOST_SEGMENTS} segments, got {asked[wrong]:g}", name)
     return asked.astype(np.intp)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from ...declared.frozen import frozen
 from ...formulas.expressions import Expression
+from .elsewhere import hint
 from .modules import CLOSE, NAME, OPEN, Alphabet, Module, Pattern, paired, undeclared
 from .passages import Passage, shown
 from .vocabulary import draws, formula, value, words
@@ -15,6 +16,7 @@ ARROW, EMPTY = "->", "*"
 ALWAYS = "*"  # the book's condition where there is none
 ANY = "*"  # its context where there is none
 NAMED = re.compile(r"(?<![\w.])[A-Za-z_]", re.ASCII)  # the e of a number is no name
+FRACTION = re.compile(r"\S\s*[01]?\.\d+$", re.ASCII)  # behind a module
 LABEL = re.compile(r"(p_?\d+)\s*:", re.ASCII)  # as the book numbers its productions
 
 
@@ -166,7 +168,7 @@ def arrow(passage):
         behind = unclosed(text)
         if behind is not None and ARROW in text[behind:]:
             passage.refuse("')' after it and before the arrow", behind, "'('")
-        passage.refuse("a production with '->', or further right the rest of one", 0, shown(text))
+        passage.refuse(f"a production with '->', or further right the rest of one{hint(text)}", 0, shown(text))
     return found
 
 
@@ -265,19 +267,25 @@ def strict_predecessor(passage, alphabet):
     if not patterns:
         passage.refuse("a module to be replaced")
     if len(patterns) > 1:
-        spelled = passage.text if NAME.fullmatch(passage.text) else ""
-        hint = f"; a name of several letters is declared: #names {spelled}" if spelled else ""
-        if patterns[-1].name == "-" and patterns[-1].parameters:
-            hint = (
-                f"; of a probability {patterns[-1].parameters[0]} is a number: #define {patterns[-1].parameters[0]} 0.5"
-            )
         several = f"{shown(passage.text)}, which is {len(patterns)} modules"
-        passage.refuse(f"one module to be replaced{hint}", 0, several)
+        passage.refuse(f"one module to be replaced{meant(passage, patterns)}", 0, several)
     if patterns[0].name in (OPEN, CLOSE):
         passage.refuse("a module to be replaced, for brackets stay")
     if patterns[0].name == "?" and patterns[0].parameters:
         passage.refuse("a module to be replaced, for what begins a sub-system stays")
     return patterns[0]
+
+
+def meant(passage, patterns):
+    """What somebody may have meant who wrote several modules before an arrow."""
+    if NAME.fullmatch(passage.text):
+        return f"; a name of several letters is declared: #names {passage.text}"
+    if FRACTION.search(passage.text):
+        return f"; a probability stands in the arrow: {patterns[0].name} -(0.5)-> ..."
+    if patterns[-1].name == "-" and patterns[-1].parameters:
+        name = patterns[-1].parameters[0]
+        return f"; a probability is a constant, no parameter: #define {name} 0.5"
+    return ""
 
 
 def names_of(patterns, head):

@@ -43,7 +43,8 @@ class Reader:
         try:
             return act(*told)
         except PassageError as wrong:
-            self.problems.append(wrong.problem)
+            if wrong.problem not in self.problems:  # lines of statements are read twice
+                self.problems.append(wrong.problem)
             if len(self.problems) > MOST_PROBLEMS:
                 raise GrammarError(self.problems) from None
 
