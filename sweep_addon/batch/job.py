@@ -27,6 +27,7 @@ from ..core.shapes.kinds import SHAPE_NAMES
 from .lines import line_of
 from .references import resolve, with_references
 
+GRAMMARS = (".l", ".ls", ".lpy", ".lsys")  # how names of files end that are most likely no job
 DESCRIBED = SHAPE_NAMES | {spelled(node): node for node in NODES}  # what a job may be of
 
 
@@ -137,6 +138,8 @@ def read(path):
         text = content(path)
         job = parse(text, path.parent)
     except ShapeError as error:
+        if path.suffix in GRAMMARS and error.key.startswith("line "):
+            error = ShapeError(f"{error.sentence}; of a grammar tell `derive` and `describe`", error.key)
         raise JobError(error, path, decoded(text)) from error.__cause__
     return Job(job.shape, job.render, job.digest, path)
 

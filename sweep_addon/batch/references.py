@@ -23,6 +23,7 @@ from ..core.declared.parameters import (
     spelled,
 )
 from ..core.rings.corners import Corner, Mitre
+from ..core.shapes import growing
 from ..core.shapes.operand import Operand
 
 LARGEST_FILE = 50_000_000  # bytes of a drawing or a font
@@ -103,9 +104,14 @@ def grammar(reference, folder):
     told = from_table({"reference": GrammarFile}, {"kind": "reference", **reference}, parameters)
     path = existing(folder / told.file, "file")
     try:
-        return path.read_text(encoding="utf-8-sig"), path
+        text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise ShapeError("must be text in UTF-8", "file") from None
+    try:
+        growing.read(Grammar(text))  # which keeps it for the plant
+    except ShapeError as refusal:
+        raise ShapeError(f"{told.file}: {refusal}", "file") from None
+    return text, path
 
 
 def operand_resolved(p, operand, folder, files):

@@ -194,3 +194,17 @@ def test_a_mistake_in_a_grammar_is_told_with_the_line_of_the_job_and_its_own(tmp
     (tmp_path / "koch.toml").write_text("kind = \"plant\"\nsystem = '''\naxiom: F[\n'''\n")
     with pytest.raises(ShapeError, match=r"koch.toml:2: system: line 1, column 9: expected '\]' after it"):
         jobs.read(tmp_path / "koch.toml")
+
+
+def test_a_mistake_in_the_file_of_a_grammar_is_told_with_its_name(tmp_path):
+    (tmp_path / "bad.l").write_text("axiom: F\nF -> [\n")
+    (tmp_path / "koch.toml").write_text('kind = "plant"\nsystem = { file = "bad.l" }\n')
+    told = r"koch.toml:2: system.file: bad.l: line 2, column 6: expected '\]' after it"
+    with pytest.raises(ShapeError, match=told):
+        jobs.read(tmp_path / "koch.toml")
+
+
+def test_a_grammar_in_the_place_of_a_job_is_told_who_reads_it(tmp_path):
+    (tmp_path / "honda.l").write_text("axiom: F\nF -> FF\n")
+    with pytest.raises(ShapeError, match="honda.l:1: must be TOML: .*; of a grammar tell `derive` and `describe`"):
+        jobs.read(tmp_path / "honda.l")
