@@ -92,3 +92,23 @@ def test_a_plant_without_leaves_and_other_meshes_lose_nothing(scene):
     assert not any("cut" in sentence for sentence in told) and "cut nothing" not in sidebar(block)
     other.data.sweep.plant.output = "EDGES"
     assert len(places(other.data)) and solvers.lost_faces(other) == "'plant' is edges alone: it cuts nothing."
+
+
+@pytest.mark.parametrize("leaf", ["", LEAF])
+def test_what_is_read_of_a_tree_has_the_solid_of_its_tubes(scene, leaf):
+    pytest.importorskip("manifold3d")
+    block = body()
+    operands.combine(block, [plant(BAR + leaf)], "difference")
+    assert sw.from_object(block).mesh().volume() == pytest.approx(8 - WITHIN, rel=1e-5)
+
+
+def test_vertices_are_classified_against_a_plant(scene):
+    pytest.importorskip("manifold3d")
+    from sweep_addon.bridge import membership
+
+    tree, probe = plant(BAR), cube(0.02, name="probe")
+    bpy.context.view_layer.update()
+    assert set(membership.of_mesh(tree, probe)) == {1}
+    probe.location.x = 1
+    bpy.context.view_layer.update()
+    assert set(membership.of_mesh(tree, probe)) == {-1}

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..declared.grammar_text import Grammar, Values
-from ..declared.parameters import ShapeError, at
+from ..declared.parameters import ShapeError, at, require
 from ..grammars import Budget, GrammarError, LSystem
 from ..grammars.deriving.budget import LateError, sized
 from ..grammars.deriving.growth import bounds, foretold
@@ -141,6 +141,23 @@ figure = lru_cache(maxsize=1)(drawn)  # of a word that is not long
 def mesh(plant, dtype):
     """The mesh of a plant; `Plant.mesh` says of what."""
     return skinned(shown(plant), plant, dtype)
+
+
+def united(plant):
+    """The solid of the tubes of a plant; `Plant.united` says of what."""
+    from ..meshes import booleans
+    from ..meshes.facets import facets
+    from ..solids import Triangles
+
+    made = mesh(plant, np.float64)
+    is_open = np.zeros(len(made.vertices), bool)
+    is_open[made.boundary_edges().ravel()] = True  # of polygons, which share no vertex with a tube
+    triangles, _ = facets(made)
+    tubes = triangles[~is_open[triangles].any(axis=1)]
+    require(len(tubes), "must have tubes to be an operand", "edges and open polygons alone", "output")
+    used, corners = np.unique(tubes, return_inverse=True)
+    parts = booleans.body(made.vertices[used], corners.reshape(-1, 3)).decompose()
+    return Triangles.of(booleans.mesh_of(booleans.united(parts)))
 
 
 def axes(plant):

@@ -10,7 +10,20 @@ combined = later("core.csg.tree", "combined")
 moved = later("core.csg.placed", "moved")
 
 
-class Operand:
+class Combining:
+    """What has the operators of set operations."""
+
+    def __or__(self, other):
+        return combination(self, "union", other)
+
+    def __and__(self, other):
+        return combination(self, "intersection", other)
+
+    def __sub__(self, other):
+        return combination(self, "difference", other)
+
+
+class Operand(Combining):
     """A set of points that set operations take.
 
     Examples
@@ -20,15 +33,6 @@ class Operand:
     >>> print(drilled)
     Block - Ball
     """
-
-    def __or__(self, other):
-        return combined(self, "union", other) if isinstance(other, Operand) else NotImplemented
-
-    def __and__(self, other):
-        return combined(self, "intersection", other) if isinstance(other, Operand) else NotImplemented
-
-    def __sub__(self, other):
-        return combined(self, "difference", other) if isinstance(other, Operand) else NotImplemented
 
     def moved(self, x=0.0, y=0.0, z=0.0):
         """The same somewhere else, by a way along each axis in metres: a `Placed`."""
@@ -44,3 +48,14 @@ class Operand:
         if not isinstance(value, dict):
             raise ShapeError(f"must be a shape, a solid or a tree, got {shown(value)}")
         return from_table(known(), value, parameters)
+
+
+def combination(left, operation, right):
+    """The tree of a set operation; nothing that Python knows of for what is no set of points."""
+    left, right = standing(left), standing(right)
+    return combined(left, operation, right) if isinstance(right, Operand) else NotImplemented
+
+
+def standing(value):
+    """What stands for a value in set operations: the solid of a plant's tubes, and of all others themselves."""
+    return value.united() if isinstance(value, Combining) and not isinstance(value, Operand) else value

@@ -10,6 +10,7 @@ from ..declared.grammar_text import Grammar, Values
 from ..declared.parameters import at, coerce, count, declared, parameter, parameters
 from ..grids.texture import Texture
 from ..later import later
+from .operand import Combining
 
 growing = later("core.shapes.growing")
 
@@ -60,7 +61,7 @@ Output = Tubes | Edges
 
 
 @declared
-class Plant:
+class Plant(Combining):
     """What a turtle draws of the word that an L-system derives
 
     A grammar replaces all modules of a word at once, step after step. The last word tells a turtle where to go: its
@@ -145,6 +146,27 @@ class Plant:
         (0, 9)
         """
         return growing.mesh(self, dtype)
+
+    def united(self):
+        """The solid of all tubes, which overlap where branches begin: as such a plant is an operand of a tree.
+
+        Returns
+        -------
+        Triangles
+            Closed and manifold. Leaves and other polygons, which are open, are left out.
+
+        Raises
+        ------
+        ShapeError
+            Where there is no tube, or manifold3d is missing.
+
+        Examples
+        --------
+        >>> fork = Plant("axiom: F(1)[+(60)F(1)]F(1)").united().mesh()
+        >>> len(fork.boundary_edges()), fork.euler_characteristic()
+        (0, 2)
+        """
+        return growing.united(self)
 
     def axes(self):
         """The poly-lines of the figure, as curves are made of.
