@@ -56,3 +56,11 @@ def test_what_is_wrong_with_a_statement_is_told_once():
 def test_a_number_of_segments_is_refused_by_the_module_that_says_it():
     with pytest.raises(ShapeError, match="@Ge: must ask for 1 to 1000 segments, got -3"):
         LSystem.parse("axiom: @Gs F @Gc F @Ge(-3)").derive(0).figure()
+
+
+@pytest.mark.parametrize("context", ["", "G < "])
+def test_a_number_that_is_none_is_told_with_its_module_and_step(context):
+    """x is 2, 1, 0 in the words of steps 0, 1, 2: the third step divides by 0."""
+    system = LSystem.parse(f"axiom: G F(2)\n{context}F(x) -> F(x-1+0/x)")
+    with pytest.raises(ShapeError, match=r"line 2: parameter 1 of F .* got nan for F\(0\) in step 3$"):
+        system.derive(4)

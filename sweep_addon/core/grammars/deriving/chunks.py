@@ -40,6 +40,11 @@ class Chunk:
 
         return values(expression, find, self.size)
 
+    def parameter(self, column, place):
+        """A parameter of one of them."""
+        values = self.columns[column]
+        return values[place] if np.ndim(values) else values
+
     def part(self, chosen):
         """Those at some places."""
         columns = [column[chosen] if np.ndim(column) else column for column in self.columns]

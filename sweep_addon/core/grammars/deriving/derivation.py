@@ -13,7 +13,7 @@ from ..text.reading import DEPTH
 from ..word import Word
 from . import doubling, layout, linking
 from .budget import Budget, Meter
-from .draws import root
+from .draws import LEVELS, root
 from .forest import Forest
 from .growth import fewest, foretold
 from .pool import Pool
@@ -22,7 +22,6 @@ from .stepping import State, first, step
 
 DECOMPOSED = 1  # moments of the levels of a decomposition begin here; that of a production is 0
 INTERPRETED = 256  # those of a homomorphism
-LEVELS = 512  # moments in each step
 LONG = 2000  # modules of a successor, each of which a forest or a pool would look at by itself
 WAYS = {
     "doubling": "words are copied together from the words of their successors",

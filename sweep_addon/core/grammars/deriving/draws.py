@@ -16,6 +16,8 @@ from hashlib import blake2b
 
 import numpy as np
 
+LEVELS = 512  # moments in each step: of its productions, and of the levels of what follows
+
 GOLDEN = 0x9E3779B97F4A7C15
 ALL = 2**64 - 1
 ROUNDS = [tuple(map(np.uint64, pair)) for pair in ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB), (31, 0))]

@@ -56,7 +56,8 @@ class Batch:
         for place, column, formula in template.formulas:
             if formula.program not in known:
                 value = self.chunk.values(formula, template.sources, moment)
-                known[formula.program] = finite(value, template.rule, told(template, place, column))
+                said = told(template, place, column)
+                known[formula.program] = finite(value, template.rule, said, self.chunk, moment)
             self.values[place, column] = known[formula.program]
 
     def parameters(self, place, count):
@@ -152,7 +153,7 @@ def taken(chunk, choices, moment):
     for choice in choices:
         if choice.condition is not None:
             value = chunk.values(choice.condition, choice.sources, moment)
-            value = finite(value, choice.productions[0], "the condition")
+            value = finite(value, choice.productions[0], "the condition", chunk, moment)
             matching, chunk = chunk.parted(value != 0)
         else:
             matching, chunk = chunk, None

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...declared.parameters import ShapeError
 from ...formulas.expressions import DRAW
-from .draws import drawn, even
+from .draws import LEVELS, drawn, even
 from .evaluating import values
 
 FEW = 32  # kinds of modules, each of which is searched for by itself
@@ -43,6 +43,10 @@ class Site:
             return self.state.columns[column][self.rows[node][part]]
 
         return values(expression, find, len(self.rows[0]))
+
+    def parameter(self, column, place):
+        """A parameter of one of the modules that are replaced."""
+        return self.state.columns[column][self.rows[0][place]]
 
     def even(self, draw, part=slice(None)):
         """(m,) float array: random numbers of these modules, or of a part."""
@@ -134,7 +138,12 @@ def matched(site, choice, links, known, check):
     if choice.needed:
         site = with_context(site, choice, links)
     if choice.condition is not None:
-        holds = finite(site.values(choice.condition, choice.sources), choice.productions[0], "the condition") != 0
+        holds = (
+            finite(
+                site.values(choice.condition, choice.sources), choice.productions[0], "the condition", site, site.moment
+            )
+            != 0
+        )
         if np.ndim(holds) or not holds:
             holds = np.flatnonzero(holds)  # of one number that is 0, nothing
             found, site = holds if found is None else found[holds], site.keep(holds)
@@ -186,11 +195,26 @@ def shared(site, choice):
             yield template, site.keep(chosen)
 
 
-def finite(values, production, what):
-    """The values, or a refusal that says of which production they are."""
+def finite(values, production, what, modules, moment):
+    """The values, or a refusal that says of which production, module and step they are.
+
+    Parameters
+    ----------
+    values : (m,) float array or float
+    production : Production
+    what : str
+        What the values are.
+    modules : Site or Chunk
+        Those that are replaced.
+    moment : int
+    """
     if np.isfinite(np.add.reduce(values, axis=None)) or np.isfinite(values).all():
         return values
-    wrong = np.ravel(values)[~np.isfinite(np.ravel(values))][0]
+    wrong = np.flatnonzero(~np.isfinite(np.ravel(values)))[0]
+    name, count = production.predecessor.symbol
+    parameters = [f"{modules.parameter(column, wrong):g}" for column in range(count)]
+    module = f"{name}({','.join(parameters)})" if parameters else name
     where = f"line {production.line}: " if production.line else ""
-    told = f"{where}{what} must be a finite number, got {wrong:g} for {production.predecessor}"
+    got = f"{np.ravel(values)[wrong]:g} for {module} in step {moment // LEVELS}"
+    told = f"{where}{what} must be a finite number, got {got}"
     raise ShapeError(told, "productions")

@@ -112,7 +112,8 @@ class Pool:
         for place, column, formula in template.formulas:
             if formula.program not in known:
                 found = site.values(formula, template.sources)
-                known[formula.program] = finite(found, template.rule, told(template, place, column))
+                said = told(template, place, column)
+                known[formula.program] = finite(found, template.rule, said, site, site.moment)
             values[place, column] = known[formula.program]
         return values
 

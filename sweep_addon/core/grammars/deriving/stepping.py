@@ -143,8 +143,9 @@ def written(state, replaced, gone, starts, total, moment, birth):
         known = {}
         for place, column, formula in template.formulas:
             if formula.program not in known:
-                value = finite(site.values(formula, template.sources), template.rule, told(template, place, column))
-                known[formula.program] = value
+                value = site.values(formula, template.sources)
+                said = told(template, place, column)
+                known[formula.program] = finite(value, template.rule, said, site, site.moment)
             columns[column][place:][at] = known[formula.program]
         if keys is not None:
             put_keys(keys, at, state.keys[site.rows[0]], template)
