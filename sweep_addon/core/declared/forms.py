@@ -246,8 +246,8 @@ def source(value, indent):
 
 
 def public_name(cls):
-    """Where people find a class: that of a module in ``core/contours`` in ``sw.contours``, a shape in ``sw``."""
-    home = cls.__module__.rpartition(".core.")[2].partition(".")[0]
+    """Where a class is: ``rings/ends.py`` is ``sw.ends``, ``contours/`` is ``sw.contours``, shapes are in ``sw``."""
+    parts = cls.__module__.rpartition(".core.")[2].split(".")
     spaces = (
         "contours",
         "trajectories",
@@ -260,4 +260,5 @@ def public_name(cls):
         "corners",
         "solids",
     )
-    return f"sw.{home}.{cls.__name__}" if home in spaces else f"sw.{cls.__name__}"
+    home = next((f"{part}." for part in parts if part in spaces), "")
+    return f"sw.{home}{cls.__name__}"
