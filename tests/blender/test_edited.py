@@ -59,6 +59,23 @@ def test_an_edit_that_is_taken_back_is_none(ob):
     assert not ob.data.sweep.edited
 
 
+@pytest.mark.parametrize("applied_first", [True, False])
+def test_an_applied_modifier_lasts_where_the_sweep_was_applied_first(ob, applied_first):
+    ob.data.sweep.generalized_cylinder.keyframe_insert("contour_circle_radius", frame=1)
+    parameters_of(ob).contour_circle_radius = 1.5
+    ob.data.sweep.generalized_cylinder.keyframe_insert("contour_circle_radius", frame=9)
+    before = len(ob.data.vertices)
+    if applied_first:
+        assert bpy.ops.object.sweep_apply() == {"FINISHED"}
+    ob.modifiers.new("Shell", "SOLIDIFY")
+    assert bpy.ops.object.modifier_apply(modifier="Shell") == {"FINISHED"}
+    assert len(ob.data.vertices) == 2 * before
+    bpy.context.view_layer.update()
+    assert ob.data.sweep.edited != applied_first  # which the sidebar says
+    bpy.context.scene.frame_set(5)
+    assert len(ob.data.vertices) == (2 * before if applied_first else before)
+
+
 def test_an_edit_of_faces_is_replaced_whole(ob):
     faces = len(ob.data.polygons)
     mode("EDIT")

@@ -41,7 +41,7 @@ def test_a_mesh_object_is_offset_and_followed(scene):
 
 def test_an_open_mesh_object_is_refused(scene):
     model = cube(FACES[1:])
-    with pytest.raises(sw.ShapeError, match="body: must be closed, got '4 open edges'"):
+    with pytest.raises(sw.ShapeError, match="body: must be closed, or .* a curve or text, .* got '4 open edges'"):
         objects.new_mesh(sw.OffsetSurface(), body=model)
 
 

@@ -125,7 +125,8 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
         of the solid; for too small a tolerance or radius; for an engine that is not for the solid.
     """
     open_edges, odd = mesh.boundary_edges(), mesh.non_manifold_edges()
-    require(not len(open_edges), "must be closed", f"{len(open_edges)} open edges", "body")
+    closed = "must be closed, or a contour, in Blender a curve or text, that bounds a plane area"
+    require(not len(open_edges), closed, f"{len(open_edges)} open edges", "body")
     require(not len(odd), "must be manifold and look outwards", f"{len(odd)} edges that are not", "body")
     volume = mesh.volume()
     require(volume > 0, "must look outwards and hold something", volume, "body")
