@@ -186,3 +186,10 @@ def test_any_text_is_finite_or_refused_in_one_sentence(text):
         assert "\n" not in str(refusal) and len(str(refusal)) < 400
     else:
         assert values.shape == T.shape and np.isfinite(values).all()
+
+
+def test_squares_are_rounded_alike_in_arrays_and_in_numbers():
+    squared = compile("x^2", ("x",))
+    sides = np.random.default_rng(1).uniform(-9, 9, 1000)
+    alone = [float(squared.evaluate(x=side)) for side in sides]
+    assert squared.evaluate(x=sides).tolist() == alone == [side * side for side in sides.tolist()]

@@ -32,6 +32,11 @@ def neither(value):
     return np.equal(value, 0)
 
 
+def power(base, exponent):
+    """A power; a square is a product, which is rounded alike in arrays and in numbers, and by every NumPy."""
+    return base * base if isinstance(exponent, float) and exponent == 2 else np.power(base, exponent)
+
+
 def clamp(x, low, high):
     """x where it lies between the limits, else the nearer limit."""
     return np.minimum(np.maximum(x, low), high)
@@ -53,7 +58,7 @@ FUNCTIONS = {  # name: function, fewest and most values; where it draws random n
     "min": (lambda *values: reduce(np.minimum, values), 2, MOST),
     "max": (lambda *values: reduce(np.maximum, values), 2, MOST),
     "mod": (np.mod, 2, 2),
-    "pow": (np.power, 2, 2),
+    "pow": (power, 2, 2),
     "clamp": (clamp, 3, 3),
     "lerp": (lambda start, end, x: start + (end - start) * x, 3, 3),
     "smoothstep": (smoothstep, 3, 3),
@@ -87,8 +92,8 @@ INFIX = {  # & | = are what "The Algorithmic Beauty of Plants" prints
     "*": (6, np.multiply),
     "/": (6, np.divide),
     "%": (6, np.mod),
-    "^": (POWER, np.power),
-    "**": (POWER, np.power),
+    "^": (POWER, power),
+    "**": (POWER, power),
 }
 
 
