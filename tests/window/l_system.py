@@ -90,7 +90,8 @@ def too_large(person, mesh, text):
     mesh.sweep.plant.generations = 40
     assert "but 40 make" in mesh.sweep.error and len(mesh.vertices) == small
     yield from person.picture("l7-too-large")
-    mesh.sweep.plant.generations = 11
+    mesh.sweep.plant.budget = 20_000_000
+    mesh.sweep.plant.generations = 12
     assert mesh.sweep.solid == "AWAITED" and len(mesh.vertices) == small
     for _ in range(200):
         yield 0.02
@@ -101,7 +102,7 @@ def too_large(person, mesh, text):
     yield 0.5
     assert "Esc stopped it" in mesh.sweep.solid and len(mesh.vertices) == small, mesh.sweep.solid
     yield from person.picture("l8-stopped")
-    mesh.sweep.plant.seed = 1
+    mesh.sweep.plant.generations = 11
     for _ in range(200):
         yield 0.1
         if not mesh.sweep.solid:
