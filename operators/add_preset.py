@@ -37,7 +37,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
     @classmethod
     def description(cls, context, properties):
         """The tooltip: what the preset's file says of it, which is read then and not when Blender starts."""
-        preset = chosen(properties.preset)
+        preset = presets.BY_NAME[properties.preset.lower()]
         return preset.doc if preset.group == presets.GROWN else f"{preset.doc}. A straight one follows the active curve"
 
     def draw(self, context):
@@ -48,7 +48,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
     def execute(self, context):
         curve = context.active_object
         try:
-            shape, title = presets.shape(self.preset.lower()), chosen(self.preset).title
+            shape, title = presets.shape(self.preset.lower()), presets.BY_NAME[self.preset.lower()].title
             if not isinstance(shape, SHAPES):
                 return self.place(context, objects.to_object(shape, title))
             straight = isinstance(getattr(shape, "trajectory", None), Line)
@@ -72,8 +72,3 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
         ob.select_set(True)
         context.view_layer.objects.active = ob
         return {"FINISHED"}
-
-
-def chosen(item):
-    """The preset of an item of the menu."""
-    return next(preset for preset in presets.PRESETS if preset.name == item.lower())

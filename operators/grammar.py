@@ -21,7 +21,7 @@ class OnGrammar:
     @classmethod
     def poll(cls, context):
         ob = context.active_object
-        if objects.is_editable_sweep(ob) and ob.data.sweep.kind == "PLANT":
+        if objects.is_editable_sweep(ob) and objects.is_grown(ob.data):
             return True
         cls.poll_message_set("Make an L-system the active object whose mesh is not linked from another file")
         return False

@@ -12,6 +12,7 @@ from ..core.later import later
 from ..core.shapes.kinds import SHAPES, SWEPT
 from ..core.shapes.offset_surface import OffsetSurface
 from ..core.shapes.operand import Operand
+from ..core.shapes.plant import Plant
 from ..core.stations.sampling import rendered
 from . import meshes, rna
 
@@ -141,6 +142,11 @@ def is_sweep(ob):
 def is_swept(ob):
     """Whether an object's mesh is made from parameters by sweeping, and no grammar."""
     return is_sweep(ob) and SHAPE[ob.data.sweep.kind] in SWEPT
+
+
+def is_grown(mesh):
+    """Whether a mesh is made of a grammar, whose text may be edited."""
+    return SHAPE.get(mesh.sweep.kind) is Plant
 
 
 def carrier(shape):

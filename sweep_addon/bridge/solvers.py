@@ -17,7 +17,6 @@ crossings = later("bridge.crossings")
 
 MISSING = "This Blender has no manifold solver."
 FAST, SURE = "MANIFOLD", "EXACT"
-PLANT = "PLANT"  # the kind of a mesh that a grammar makes
 NAMES = {FAST: "manifold", SURE: "exact", "FLOAT": "float", "FAST": "float"}  # as Blender writes them
 
 
@@ -193,7 +192,7 @@ def make_solid(ob):
 
 def is_plant(ob):
     """Whether an object is a plant, whose tubes begin in others."""
-    return objects.is_sweep(ob) and ob.data.sweep.kind == PLANT
+    return objects.is_sweep(ob) and objects.is_grown(ob.data)
 
 
 def overlaps(ob):

@@ -10,7 +10,8 @@ from ..core.later import later
 mark = later("bridge.meshes", "mark")
 has_fast = later("bridge.solvers", "has_fast")
 follow = later("bridge.texts", "follow")
-inputs, renders_otherwise = later("bridge.objects", "inputs", "renders_otherwise")
+inputs, is_grown = later("bridge.objects", "inputs", "is_grown")
+renders_otherwise = later("bridge.objects", "renders_otherwise")
 finding, reading = later("properties.finding"), later("properties.reading")
 differs, rebuild, set_if_other = later("properties.live", "differs", "rebuild", "set_if_other")
 
@@ -46,7 +47,7 @@ def after_frame(scene, depsgraph):
 @persistent
 def after_history(*_):
     """Undo, redo or a file bring meshes that may not have been looked at, and texts that people may edit."""
-    if any(mesh.sweep.kind == "PLANT" for mesh in sweeps()):
+    if any(map(is_grown, sweeps())):
         reading.begin()
     if any(finding.is_due(mesh) for mesh in sweeps()):
         finding.soon()
@@ -55,9 +56,8 @@ def after_history(*_):
 @persistent
 def at_file(*_):
     """A script may have written into a text, of which Blender tells nobody: a file has mesh and text together."""
-    for mesh in sweeps():
-        if mesh.sweep.kind == "PLANT":
-            follow(mesh)
+    for mesh in filter(is_grown, sweeps()):
+        follow(mesh)
 
 
 @persistent

@@ -15,7 +15,6 @@ joined = later("core.meshes.joining", "joined")
 digest = later("core.declared.digest", "digest")
 
 AWAITED = "AWAITED"
-GROWN = "PLANT"  # the kind whose parameters are in a text
 SHAPE_KEYS = "The mesh has shape keys, which a new mesh would lose: remove them, or Apply to keep the mesh as it is"
 
 
@@ -32,7 +31,7 @@ def rebuild(mesh, depsgraph=None):
     sweep = mesh.sweep
     if sweep.kind == "NONE" or mesh.is_editmode:
         return
-    if sweep.kind == GROWN and not (depsgraph and depsgraph.mode == "RENDER"):
+    if objects.is_grown(mesh) and not (depsgraph and depsgraph.mode == "RENDER"):
         texts.follow(mesh)
         reading.begin()
     source = source_of(mesh, depsgraph)
@@ -61,7 +60,7 @@ def source_of(mesh, depsgraph):
     if not depsgraph:
         return mesh
     evaluated = mesh.evaluated_get(depsgraph)
-    stale = mesh.sweep.kind == GROWN and evaluated.sweep.plant.system != mesh.sweep.plant.system
+    stale = objects.is_grown(mesh) and evaluated.sweep.plant.system != mesh.sweep.plant.system
     return mesh if stale else evaluated
 
 
@@ -70,7 +69,7 @@ def put(mesh, made, wanted, solid=""):
     sweep = mesh.sweep
     known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
     sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known)
-    if sweep.kind == GROWN:
+    if objects.is_grown(mesh):
         for _ in range(len(mesh.materials), int(made.topology.material.max(initial=0)) + 1):
             mesh.materials.append(None)  # a slot of each colour, for people to fill
     sweep.made, sweep.rings, sweep.version = wanted, made.rings, VERSION

@@ -7,8 +7,9 @@ One timer looks at the texts that plants are made of, and ends when there are no
 
 import bpy
 
+from ..bridge.objects import is_grown
 from .finding import redraw
-from .live import GROWN, rebuild
+from .live import rebuild
 
 PAUSE = 0.25  # seconds between two looks; a text is read when both saw the same
 
@@ -42,7 +43,7 @@ watch = Watch()
 
 def is_watched(mesh):
     """Whether a mesh is made of a text that people can edit."""
-    return mesh.sweep.kind == GROWN and mesh.is_editable and mesh.sweep.plant.system_text is not None
+    return is_grown(mesh) and mesh.is_editable and mesh.sweep.plant.system_text is not None
 
 
 def begin():
