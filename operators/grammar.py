@@ -9,7 +9,8 @@ from bpy.types import Operator
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 
-curves, objects, texts = later("bridge.curves"), later("bridge.objects"), later("bridge.texts")
+axis_curves, curves = later("bridge.axis_curves"), later("bridge.curves")
+objects, texts = later("bridge.objects"), later("bridge.texts")
 
 ABOVE = 8  # lines that stay in sight above one that is gone to
 SHARE = 0.4  # of the view's width, that a text editor takes where there is none
@@ -124,8 +125,24 @@ class OBJECT_OT_sweep_grammar_curves(OnGrammar, Operator):
         return {"FINISHED"}
 
 
+class OBJECT_OT_sweep_grammar_live_curves(OnGrammar, Operator):
+    """Make a curve of each axis by a modifier, which follows the L-system; the first of all modifiers"""
+
+    bl_idname = "object.sweep_grammar_live_curves"
+    bl_label = "Make Live Curves"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        ob = context.active_object
+        if not objects.has_poly_lines(ob.data):
+            ob.data.sweep.plant.output = "CURVES"
+        axis_curves.show(ob)
+        return {"FINISHED"}
+
+
 OPERATORS = (
     OBJECT_OT_sweep_grammar_curves,
+    OBJECT_OT_sweep_grammar_live_curves,
     OBJECT_OT_sweep_grammar_edit,
     OBJECT_OT_sweep_grammar_text_new,
     OBJECT_OT_sweep_grammar_reset,

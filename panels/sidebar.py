@@ -21,7 +21,8 @@ from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from . import l_system, previews
 from .sentences import sentences
 
-declared_layout, live, objects = later("bridge.layout"), later("properties.live"), later("bridge.objects")
+axis_curves, declared_layout = later("bridge.axis_curves"), later("bridge.layout")
+live, objects = later("properties.live"), later("bridge.objects")
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 PREVIEW = 2.6  # times as high as a line
@@ -120,6 +121,8 @@ def draw_sweep(layout, context, mesh, say):
         layout.operator("object.sweep_convert_to_csg")
     if hasattr(shape, "bend"):
         layout.operator("object.sweep_bend")
+    if grown and objects.has_poly_lines(mesh) and not axis_curves.is_shown(context.active_object):
+        layout.operator("object.sweep_grammar_live_curves", icon="CURVE_DATA")
     row = layout.row(align=True)
     row.operator("object.sweep_apply")
     row.operator("object.sweep_grammar_curves" if grown else "object.sweep_classify")

@@ -17,7 +17,7 @@ from ..core.stations.sampling import rendered
 from . import meshes, rna
 
 arcs, beside, curves, models = (later(f"bridge.{name}") for name in ("arcs", "beside", "curves", "models"))
-grove, trees = later("bridge.grove"), later("bridge.trees")
+axis_curves, grove, trees = later("bridge.axis_curves"), later("bridge.grove"), later("bridge.trees")
 
 SLOTS = 2  # of materials: of sides and of ends
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
@@ -88,6 +88,8 @@ def to_object(shape, name=None):
     mesh = new_mesh(shape, name)
     ob = bpy.data.objects.new(mesh.name, mesh)
     bpy.context.scene.collection.objects.link(ob)
+    if has_poly_lines(mesh):
+        axis_curves.show(ob)
     return ob
 
 
@@ -147,6 +149,11 @@ def is_swept(ob):
 def is_grown(mesh):
     """Whether a mesh is made of a grammar, whose text may be edited."""
     return SHAPE.get(mesh.sweep.kind) is Plant
+
+
+def has_poly_lines(mesh):
+    """Whether a mesh is made of a grammar as poly-lines that are to be curves."""
+    return is_grown(mesh) and mesh.sweep.plant.output == "CURVES"
 
 
 def carrier(shape):

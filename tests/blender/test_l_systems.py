@@ -357,6 +357,42 @@ def test_axes_become_splines_that_blender_draws_as_thick(scene):
     assert curve.dimensions.z == pytest.approx(2, abs=0.2) and ob.data.sweep.kind == "PLANT"
 
 
+def curves_of(ob):
+    """The curves that an object shows: of each its places and its radii."""
+    geometry = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).evaluated_geometry()  # which holds the curves
+    shown = geometry.curves
+    sizes = [0] if shown is None else np.diff([offset.value for offset in shown.curve_offset_data])
+    points = [] if shown is None else [(tuple(point.position), point.radius) for point in shown.points]
+    return [points[end - size : end] for size, end in zip(sizes, np.cumsum(sizes), strict=True) if size]
+
+
+def test_poly_lines_are_live_curves_of_the_axes(scene):
+    """Of two branches that begin at one point, which a mesh whose vertices they share would cut there."""
+    ob = sw.to_object(sw.Plant("#define l 1\naxiom: !(0.2)F(1)[&(90)!(0.1)F(l)]F(1)", upright=True, output="curves"))
+    assert sw.from_object(ob).output == sw.Plant(output="curves").output and len(ob.modifiers) == 1
+    stem, branch = sorted(curves_of(ob), key=len, reverse=True)
+    assert [place[2] for place, _ in stem] == pytest.approx([0, 1, 2])
+    assert [r for _, r in stem] == pytest.approx([0.1] * 3)
+    assert [place[2] for place, _ in branch] == pytest.approx([1, 1])
+    assert [r for _, r in branch] == pytest.approx([0.05] * 2)
+    parameters_of(ob).constants["l"] = 3
+    rebuild(ob.data)
+    long = min(curves_of(ob), key=len)
+    assert np.linalg.norm(np.subtract(long[1][0], long[0][0])) == pytest.approx(3)
+
+
+def test_a_button_makes_curves_and_leaves_faces_and_organs(scene):
+    ob = sw.to_object(sw.Plant("#names leaf\naxiom: F(1)[+(90)F(1)~leaf(1)]{.+(90)f(1).+(90)f(1).}", upright=True))
+    select(ob)
+    assert not curves_of(ob)
+    bpy.ops.object.sweep_grammar_live_curves()
+    bpy.ops.object.sweep_grammar_live_curves()  # once is enough
+    assert parameters_of(ob).output == "CURVES" and len(ob.modifiers) == 1 and len(curves_of(ob)) == 2
+    geometry = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).evaluated_geometry()
+    mesh = geometry.mesh
+    assert len(mesh.polygons) == 1 and len(mesh.vertices) == 3 + 1
+
+
 def test_a_text_is_read_when_it_has_stood_still_for_a_moment(scene):
     ob = plant()
     watch = reading.Watch()

@@ -112,6 +112,16 @@ def test_each_polygon_is_a_face_beside_the_tubes():
     assert np.array_equal(ends, np.sort(np.column_stack((mesh.corners, following)), axis=1))
 
 
+def test_axes_as_poly_lines_have_no_vertex_in_common():
+    """A stem of three segments, a branch of two at its first fork and one of one at its second."""
+    mesh = Plant("axiom: F[+FF]F[-F]F", output="curves").mesh()
+    runs = np.split(mesh.edges, np.flatnonzero(np.diff(mesh.edges[:, 0]) > 1) + 1)
+    assert sorted(len(run) for run in runs) == [1, 2, 3] and len(mesh.vertices) == 2 + 3 + 4
+    assert all((run[1:, 0] == run[:-1, 1]).all() for run in runs) and np.bincount(mesh.edges.ravel()).max() == 2
+    assert sorted(np.bincount(mesh.attributes["axis"].astype(int))) == [2, 3, 4]
+    assert mesh.attributes["radius"] == pytest.approx(0.05)
+
+
 def test_polygons_are_faces_beside_edges_too_and_without_colours_have_a_slot_of_their_own():
     mesh = LSystem.parse("#angle 90\naxiom: F{f+f+f+f}").derive(0).figure().mesh(sides=0)
     assert mesh.area() == pytest.approx(1, rel=1e-12) and len(mesh.edges) == 1 + 4

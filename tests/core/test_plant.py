@@ -70,7 +70,7 @@ def test_what_is_kept_from_one_mesh_to_the_next_changes_none(change):
         ({"constants": [1]}, r"constants: must be a table of numbers, got \[1\]"),
         ({"generations": -1}, "generations: must be at least 0, got -1"),
         ({"upright": "down"}, "upright: must be one of automatic, upwards, along-x, got 'down'"),
-        ({"output": "leaves"}, "output: must be one of tubes, edges, got 'leaves'"),
+        ({"output": "leaves"}, "output: must be one of tubes, edges, curves, got 'leaves'"),
     ],
 )
 def test_what_is_wrong_is_refused_by_its_name(given, said):

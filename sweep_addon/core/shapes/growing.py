@@ -193,9 +193,9 @@ def at_length(plant, progress):
 
 def skinned(figure, plant, dtype):
     """The mesh of a figure as a plant asks for it."""
-    sides, budget = getattr(plant.output, "sides", 0), within(plant.budget)
+    sides, apart = getattr(plant.output, "sides", 0), getattr(plant.output, "apart", False)
     with at("output" if sides else "budget"):
-        made = figure.mesh(sides, plant.texture, plant.attributes, dtype, budget)
+        made = figure.mesh(sides, plant.texture, plant.attributes, dtype, within(plant.budget), apart)
     return replace(made, told=(*made.told, *noted(plant.system, plant.constants)))
 
 

@@ -54,10 +54,19 @@ class Tubes:
 
 @declared
 class Edges:
-    """The segments as edges"""
+    """The segments as edges, which meet where branches begin"""
+
+    apart = False
 
 
-Output = Tubes | Edges
+@declared
+class Curves:
+    """Each axis as a poly-line of its own, which a modifier makes a curve in Blender, as thick as its tube"""
+
+    apart = True
+
+
+Output = Tubes | Edges | Curves
 
 
 @declared

@@ -215,7 +215,7 @@ class Figure:
             above = np.where(above >= 0, above[above], -1)
         return steps[of_axis[self.axis]]
 
-    def mesh(self, sides=8, texture=Texture.NONE, attributes=True, dtype=np.float64, budget=None):
+    def mesh(self, sides=8, texture=Texture.NONE, attributes=True, dtype=np.float64, budget=None, apart=False):
         """A closed tube along each axis, mitred where it turns, or its segments as edges; its polygons as faces.
 
         Parameters
@@ -230,6 +230,8 @@ class Figure:
             Of the vertices.
         budget : Budget, optional
             Of the arrays of the mesh.
+        apart : bool
+            Whether edges of two axes have no vertex in common, as of poly-lines.
 
         Returns
         -------
@@ -258,7 +260,7 @@ class Figure:
         if budget is not None:
             rings = 2 * len(self) if sides == 0 else len(self) + int(np.count_nonzero(~self.joined))
             budget.of_arrays(rings * max(sides, 1) * OF_VERTEX, "sides" if sides else "")
-        return mesh(self, sides, texture, attributes, dtype)
+        return mesh(self, sides, texture, attributes, dtype, apart)
 
     def changing(self, name, default, combine, change, place):
         """(n,) float array: what modules of a name with a parameter set and others change, at modules of the word."""

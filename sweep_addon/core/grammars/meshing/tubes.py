@@ -20,9 +20,12 @@ ALMOST = 1e-9  # of the largest coordinate: nearer than that an axis ends where 
 SHARPEST = -0.5  # cosine of a turn beyond which a mitre would be more than twice as wide as the tube
 
 
-def mesh(figure, sides, texture=Texture.NONE, attributes=True, dtype=np.float64):
+def mesh(figure, sides, texture=Texture.NONE, attributes=True, dtype=np.float64, apart=False):
     """The mesh of a figure; `Figure.mesh` says of what."""
-    made = tubes(figure, sides, texture, attributes, dtype) if sides else wires(figure, attributes, dtype)
+    if sides:
+        made = tubes(figure, sides, texture, attributes, dtype)
+    else:
+        made = (poly_lines if apart else wires)(figure, attributes, dtype)
     named = figure.walk.named
     with_organs = ORGAN in named and figure.organs
     if with_organs:
@@ -39,12 +42,25 @@ def wires(figure, attributes, dtype):
     own = ~figure.follows
     start = np.where(own, count + np.cumsum(own) - 1, figure.parent)
     edges = np.column_stack((start, np.arange(count))).astype(np.int32)
-    none = np.zeros(0, dtype=np.int32)
-    name = f"wires.{checksum(edges)}."
-    topology = Topology(none, np.zeros(1, np.int32), edges, none, np.zeros(count, dtype=bool), none, name)
     skin = Skin(figure, ends=np.concatenate((np.arange(count), np.flatnonzero(own))), starts=int(own.sum()))
     vertices = np.concatenate((figure.end, figure.start[own])).astype(dtype)
-    return Mesh(vertices, topology, Chart(skin, 1, Texture.NONE, attributes))
+    return Mesh(vertices, bare(edges), Chart(skin, 1, Texture.NONE, attributes))
+
+
+def poly_lines(figure, attributes, dtype):
+    """The points of each axis one behind the other, and edges between them: no two axes have one in common."""
+    require_few(2 * len(figure), "")
+    skin = Skin(figure)
+    skin.shared = np.arange(skin.rings)
+    edges = np.column_stack((skin.lower, skin.lower + 1)).astype(np.int32)
+    return Mesh(skin.points.astype(dtype), bare(edges), Chart(skin, 1, Texture.NONE, attributes))
+
+
+def bare(edges):
+    """The topology of edges without faces."""
+    none = np.zeros(0, dtype=np.int32)
+    name = f"wires.{checksum(edges)}."
+    return Topology(none, np.zeros(1, np.int32), edges, none, np.zeros(len(edges), dtype=bool), none, name)
 
 
 def tubes(figure, sides, texture, attributes, dtype):
