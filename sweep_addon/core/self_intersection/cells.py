@@ -11,14 +11,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..vectors import unit
-from .lattice import BANDS, stretches
+from .stretches import BANDS, stretches
 
 TOUCHING = 1e-9  # of the size: faces that come no farther through each other touch, and do not cross
 MOST = 300_000  # pairs of boxes that are followed at once; many more are a broad overlap, of which some are enough
 SPARSE = (256, 16, 1)  # every so many pairs of cells are looked at, until some cross
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))  # of a cell: which column, its own or the next, and which ring
 TRIANGLES = np.array(((0, 1, 2), (0, 2, 3)))  # their corners
-NEXT = [1, 2, 0]  # corner of a triangle
+ALONE = np.array([0, 0, 1, 2, 2, 1, 0, 0])  # which corner is on a side by itself, by the sum of 1, 2, 4 of those below
+TURNED = TRIANGLES[:, (ALONE[:, None] + np.arange(3)) % 3]  # by triangle and that sum: its corners from that one on
 BLOCK = 4096  # pairs that are looked at together, so that caches hold them
 
 
@@ -44,11 +45,17 @@ def crossing(lattice, first, last):
     apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
     first, last = first[:, apart], last[:, apart]
     quads, tolerance = corners(lattice, np.concatenate((first[0], last[0]))), TOUCHING * lattice.size
-    some = (slice(start, start + BLOCK) for start in range(0, max(first.shape[1], 1), BLOCK))
-    parts = [reaching(quads(first[:, part]), quads(last[:, part]), part.start, tolerance) for part in some]
+    parts = [reaching(quads(first[:, some]), quads(last[:, some]), some.start, tolerance) for some in blocks(first[0])]
     near, a, b = (np.concatenate(part, axis=-1) for part in zip(*parts, strict=True))
-    which, points = triangles_cross(a, b, tolerance)
+    crossed = [(some.start, *triangles_cross(a[..., some], b[..., some], tolerance)) for some in blocks(near)]
+    which = np.concatenate([start + found for start, found, _ in crossed])
+    points = np.concatenate([found for *_, found in crossed], axis=1)
     return Crossings(*np.stack((first, last), axis=2)[:, near[which]], points.T)
+
+
+def blocks(pairs):
+    """Slices of pairs, some at a time; one at least."""
+    return [slice(start, start + BLOCK) for start in range(0, max(len(pairs), 1), BLOCK)]
 
 
 def corners(lattice, bands):
@@ -81,11 +88,13 @@ def candidates(lattice, pairs):
     levels = pyramid(lattice, used)
     first, last = which.reshape(-1, 2).T
     start = stretches(lattice.bands, BANDS)[0][used]
-    first, last = overlapping(*levels[-1], first, last)
+    first, last = parts_meet(*levels[-1], first[None], last[None])
     for above, below in zip(levels[::-1], levels[-2::-1], strict=False):
-        first, last = split(first, last, above[0].shape[2:], below[0].shape[2:])
-        first, last = apart(first, last, start, below[0].shape[2:])
-        first, last = overlapping(*below, first, last)
+        shape = below[0].shape[2:]
+        first, last = (parts(box, above[0].shape[2:], shape) for box in (first, last))
+        first, last = apart(*parts_meet(*below, first, last), start, shape)
+        step = max(-(-len(first) // MOST), 1)
+        first, last = first[::step], last[::step]
     rows, columns = levels[0][0].shape[2:]
     first, last = (
         np.stack((start[box // (rows * columns)] + box // columns % rows, box % columns)) for box in (first, last)
@@ -100,12 +109,15 @@ def apart(first, last, start, shape):
     """
     size = BANDS // shape[0]
     band = np.repeat((start[:, None] + size * np.arange(shape[0])).ravel(), shape[1])
-    kept = np.flatnonzero(band[last] - band[first] > 2 - size)
-    return (first, last) if len(kept) == len(first) else (first[kept], last[kept])
+    kept = np.flatnonzero(band.take(last) - band.take(first) > 2 - size)
+    return (first, last) if len(kept) == len(first) else (first.take(kept), last.take(kept))
 
 
 def pyramid(lattice, used):
-    """Boxes of cells, then of two by two of them, and so on to one a stretch: lows and highs (3, k, rows, columns)."""
+    """Boxes of cells, then of two by two of them, and so on to one a stretch: lows and highs (3, k, rows, columns).
+
+    They are so much smaller that cells which meet in no more than a face of their boxes, as in one plane, do not.
+    """
     start, end = (part[used] for part in stretches(lattice.bands, BANDS))
     rings = np.minimum(start[:, None] + np.arange(BANDS + 1), end[:, None])
     points = lattice.points(rings).transpose(3, 1, 2, 0)  # axis, stretch, ring, column
@@ -120,6 +132,7 @@ def pyramid(lattice, used):
     low[:, none], high[:, none] = np.inf, -np.inf
     gaps = list(lattice.grid.gaps)
     low[..., gaps], high[..., gaps] = np.inf, -np.inf
+    low += TOUCHING * lattice.size
     levels = [(low, high)]
     while low.shape[2] * low.shape[3] > 1:
         for axis in (2, 3):
@@ -130,25 +143,24 @@ def pyramid(lattice, used):
     return levels
 
 
-def overlapping(low, high, first, last):
-    """Those pairs of boxes, by their numbers, that meet: a few of very many."""
-    low, high = low.reshape(3, -1), high.reshape(3, -1)
-    for axis in range(3):
-        meet = low[axis].take(first) <= high[axis].take(last)
-        meet &= low[axis].take(last) <= high[axis].take(first)
-        meet = np.flatnonzero(meet)
-        first, last = first.take(meet), last.take(meet)
-    step = -(-len(first) // MOST)
-    return (first, last) if step < 2 else (first[::step], last[::step])
-
-
-def split(first, last, above, below):
-    """All pairs of the parts of pairs of boxes, by their numbers among so many rows and columns in each stretch."""
+def parts(boxes, above, below):
+    """The parts of boxes, by their numbers among so many rows and columns in each stretch: (c, k) int array."""
     rows, columns = below[0] // above[0], below[1] // above[1]
     part = (below[1] * np.arange(rows)[:, None] + np.arange(columns)).ravel()
-    first, last = (box // above[1] * (rows * below[1]) + box % above[1] * columns for box in (first, last))
-    count = len(part)
-    return (first[:, None] + np.repeat(part, count)).ravel(), (last[:, None] + np.tile(part, count)).ravel()
+    return part[:, None] + (boxes // above[1] * (rows * below[1]) + boxes % above[1] * columns)
+
+
+def parts_meet(low, high, first, last):
+    """Those pairs of boxes, of pairs (c, k) by their numbers all of the first c with all of the last, that meet."""
+    count, pairs = first.shape
+    meet = np.full((count, count, pairs), True)
+    for least, most in zip(low.reshape(3, -1), high.reshape(3, -1), strict=True):
+        meet &= least.take(first)[:, None] <= most.take(last)
+        meet &= least.take(last) <= most.take(first)[:, None]
+    meet = np.flatnonzero(meet)
+    part, pair = np.divmod(meet, pairs)
+    one, other = np.divmod(part, count)
+    return first.take(one * pairs + pair), last.take(other * pairs + pair)
 
 
 def reach_slabs(cells, others, tolerance):
@@ -163,18 +175,49 @@ def reach_slabs(cells, others, tolerance):
 def triangles_cross(a, b, tolerance):
     """Where edges of the triangles of cells go through those of others, (3, 4, k) twice: (h,) int and (3, h) points.
 
-    All are taken at once: where few are near each other, what each call of NumPy costs is most of it.
+    Both cross the line in which their planes meet, each between two of its edges. An edge goes through the other
+    triangle where it does so between those of the other.
+
+    Source
+    ------
+    Moeller: A fast triangle-triangle intersection test, Journal of Graphics Tools 2(2), 1997.
     """
     over_a, over_b = heights(a, b), heights(b, a)
     one, other, which = np.nonzero(reach_through(over_a, tolerance) & reach_through(over_b, tolerance).swapaxes(0, 1))
-    a_side, b_side = (TRIANGLES[side].T for side in (one, other))
-    a, b = (part.reshape(3, -1).take(side * part.shape[2] + which, axis=1) for part, side in ((a, a_side), (b, b_side)))
-    found = (
-        pierced(a, over_a[other, a_side, which], b, tolerance),
-        pierced(b, over_b[one, b_side, which], a, tolerance),
-    )
-    through, points = (np.concatenate(part, axis=-1) for part in zip(*found, strict=True))
-    return which[through], points
+    points_a, through_a = through_planes(a, over_a, one, other, which, tolerance)
+    points_b, through_b = through_planes(b, over_b, other, one, which, tolerance)
+    axis = sum(np.abs(points[:, 1] - points[:, 0]) for points in (points_a, points_b)).argmax(axis=0)
+    along = axis * 2 * len(which) + np.arange(2 * len(which)).reshape(2, -1)
+    at_a, at_b = points_a.take(along), points_b.take(along)
+    edge, pair = np.nonzero(np.concatenate((through_a & within(at_a, at_b), through_b & within(at_b, at_a))))
+    return which[pair], np.concatenate((points_a, points_b), axis=1)[:, edge, pair]
+
+
+def within(places, ends):
+    """Whether places on lines (2, h) are between two others (2, h)."""
+    return (places >= np.minimum(*ends)) & (places <= np.maximum(*ends))
+
+
+def through_planes(cells, over, side, plane, which, tolerance):
+    """Where triangles go through planes: two points of each, (3, 2, h), and whether its edges there do, (2, h).
+
+    Parameters
+    ----------
+    cells : (3, 4, k) float array
+    over : (2, 4, k) float array
+        How far their corners are over two planes each.
+    side, plane, which : (h,) int arrays
+        The triangle of its cell, the plane and the cell of each.
+    tolerance : float
+        An edge that ends no farther from a plane does not go through it.
+    """
+    below = (over < 0)[:, TRIANGLES].astype(np.int8)
+    kind = below[:, :, 0] + 2 * below[:, :, 1] + 4 * below[:, :, 2]
+    corners, count = TURNED[side, kind[plane, side, which]].T, cells.shape[2]
+    start, ends = np.split(cells.reshape(3, -1).take(corners * count + which, axis=1), (1,), axis=1)
+    over_start, over_ends = np.split(over.take((plane * 4 + corners) * count + which), (1,))
+    share = over_start / (over_start - over_ends)
+    return start + share * (ends - start), np.abs(over_ends) > tolerance
 
 
 def heights(points, cells):
@@ -190,40 +233,6 @@ def reach_through(over, tolerance):
     """Whether triangles have corners on both sides of planes that their cells are so far over: (own, plane, k) bool."""
     over = over[:, TRIANGLES]
     return ((over.min(axis=2) < -tolerance) & (over.max(axis=2) > tolerance)).swapaxes(0, 1)
-
-
-def pierced(edges, over, triangles, tolerance):
-    """Which triangles the edges of others go through, both (3, 3, k), and where: (h,) int and (3, h).
-
-    The corners of the others are so far over their planes, (3, k).
-    """
-    over_end = over[NEXT]
-    through = (np.minimum(over, over_end) < -tolerance) & (np.maximum(over, over_end) > tolerance)
-    edge, which = np.nonzero(through)
-    count = edges.shape[2]
-    edges, begin, end = edges.reshape(3, -1), edge * count + which, (edge + 1) % 3 * count + which
-    start = edges.take(begin, axis=1)
-    way = edges.take(end, axis=1) - start
-    inside = np.concatenate([between_sides(*some) for some in blocks(start, way, triangles, which)])
-    edge, which, start, way = edge[inside], which[inside], start[:, inside], way[:, inside]
-    share = over[edge, which] / (over[edge, which] - over_end[edge, which])
-    return which, start + share * way
-
-
-def blocks(start, way, triangles, which):
-    """Edges (3, m) and the triangles (3, 3, m) that they may go through, some at a time."""
-    corners = triangles.shape[2] * np.arange(3)[:, None]
-    for first in range(0, max(len(which), 1), BLOCK):
-        some = slice(first, first + BLOCK)
-        yield start[:, some], way[:, some], triangles.reshape(3, -1).take(corners + which[some], axis=1)
-
-
-def between_sides(start, way, triangles):
-    """Whether edges (3, m), which end beyond the planes of triangles (3, 3, m), pass all sides alike: (m,) bool."""
-    towards = triangles - start[:, None]
-    sides = [inner(cross(way, towards[:, corner]), towards[:, after]) for corner, after in enumerate(NEXT)]
-    low, high = np.minimum.reduce(sides), np.maximum.reduce(sides)
-    return ((low >= 0) & (high > 0)) | ((high <= 0) & (low < 0))
 
 
 def inner(a, b):

@@ -10,8 +10,8 @@ from ..stations.search import GOLDEN
 from ..vectors import dot, norms
 from .cells import any_cross, candidates, crossing, through_face
 from .folds import between
-from .lattice import BANDS, coarse
 from .places import Place, Places
+from .stretches import BANDS, coarse
 
 HALVED = 2.0 ** np.array((5, 11, 16))  # of the size is left, closer and closer: a hundred-thousandth, or two
 LESS = 1 - 1e-9
@@ -95,10 +95,11 @@ def stretches_met(lattice, found):
 
 
 def sides(lattice, bands):
-    """Pairs of bands (k, 2), those first that are beside the first of all: over a closed start they change sides."""
+    """Pairs of bands (k, 2), those first that are beside the least of all: over a closed start they change sides."""
     if not lattice.closed:
         return bands
-    apart = np.abs(bands[:, :, None] - bands[0])  # (k, 2, 2)
+    least = bands[np.lexsort(bands.T[::-1])[0]]
+    apart = np.abs(bands[:, :, None] - least)  # (k, 2, 2)
     apart = np.minimum(apart, lattice.bands - apart)
     other = apart[:, 0, 1] + apart[:, 1, 0] < apart[:, 0, 0] + apart[:, 1, 1]
     return np.where(other[:, None], bands[:, ::-1], bands)

@@ -1,10 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lattice of a sweep: the points of its contours, ring after ring, and which stretches of it may meet.
-
-Most stretches are ruled out without a look at their faces: they are far from each other, or the discs round their
-contours are too near along the trajectory to meet.
-"""
+"""The lattice of a sweep: the points of its contours, ring after ring, and which of them are too near to meet."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -13,12 +9,9 @@ from functools import cached_property
 import numpy as np
 
 from ..grids.grid import Grid
-from ..vectors import dot, norms, unit
+from ..vectors import dot, norms
 
-BANDS = 8  # in the shortest stretches
-COARSE = 64  # stretches that the search begins with, at least
 SURE = 0.999  # of a turn in which discs would meet: what a mesh's chords leave of it
-MANY = 1000  # pairs of stretches: where there are more, every other ring is enough to see how they meet
 FEWEST = 128  # rings that are left of it
 WIDEST = 0.2  # radians from one ring that is left to the next
 
@@ -203,103 +196,3 @@ class Nearness:
 
     def all_folded(self, first, last, folds):
         return folds >= last - first + 1
-
-
-def stretches(bands, size):
-    """The first ring and the last of stretches of so many bands: two (k,)."""
-    start = np.arange(0, bands, size)
-    return start, np.minimum(start + size, bands)
-
-
-def coarse(lattice, folded):
-    """The lattice, of few enough rings to look closely at all that may meet, and the stretches that may.
-
-    Parameters
-    ----------
-    lattice : Lattice
-    folded : sequence of (float, float)
-        Parameters between which it folds, as the local test has told.
-
-    Returns
-    -------
-    lattice : Lattice
-    pairs : (k, 2) int array
-        Numbers of stretches of `BANDS` bands, the first no larger than the second.
-    """
-    while True:
-        found = far_pairs(lattice, folded)
-        if len(found) <= 2 * MANY:
-            found = found[boxes_meet(lattice, *found.T)]
-        thinner = lattice.coarser() if len(found) > MANY else None
-        if not thinner:
-            return lattice, found
-        lattice = thinner
-
-
-def far_pairs(lattice, folded):
-    """Stretches of bands whose balls meet, and between which there is enough way for them to: (k, 2) int array."""
-    nearness = lattice.held(folded)
-    halvings = max(int(np.log2(max(lattice.bands / (BANDS * COARSE), 1))), 0)
-    first, last = np.triu_indices(-(-lattice.bands // (BANDS << halvings)))
-    for size in (BANDS << level for level in range(halvings, -1, -1)):
-        start, end = stretches(lattice.bands, size)
-        if size < BANDS << halvings:
-            first, last = children(first, last, len(start))
-        middle, radius = balls(lattice, start, end)
-        kept = norms(middle[first] - middle[last]) <= radius[first] + radius[last]
-        first, last = first[kept], last[kept]
-        kept = ~(nearness.near(start[first], end[last]) | nearness.around(end[first], start[last]))
-        first, last = first[kept], last[kept]
-    return np.stack((first, last), axis=1)
-
-
-def children(first, last, count):
-    """Of pairs of stretches those of their halves: each pair once."""
-    pairs = np.stack((np.repeat(2 * first, 4), np.repeat(2 * last, 4)))
-    pairs += np.tile([[0, 0, 1, 1], [0, 1, 0, 1]], len(first))
-    return pairs[:, (pairs[0] <= pairs[1]) & (pairs[1] < count)]
-
-
-def balls(lattice, start, end):
-    """Balls round stretches: their middles (k, 3) and radii (k,)."""
-    middle = (lattice.path[start] + lattice.path[end]) / 2
-    size = int((end - start).max())
-    rings = np.minimum(start[:, None] + np.arange(size + 1), end[:, None])
-    return middle, (norms(lattice.path[rings] - middle[:, None]) + lattice.radii[rings]).max(axis=1)
-
-
-def boxes_meet(lattice, first, last):
-    """Whether boxes round stretches meet, along the axes of both and between their directions: (k,) bool."""
-    if not len(first):
-        return np.zeros(0, bool)
-    used, which = np.unique(np.concatenate((first, last)), return_inverse=True)
-    i, j = which.reshape(2, -1)
-    middle, axes, half = boxes(lattice, *(part[used] for part in stretches(lattice.bands, BANDS)))
-    chord = middle[j] - middle[i]
-    meet = np.full(len(i), True)
-    between = unit(axes[i, 0] + axes[j, 0])
-    for direction in (between, unit(chord), *(axes[side, k] for side in (i, j) for k in range(3))):
-        reach = sum(
-            (half[side] * np.abs(np.einsum("pak,pk->pa", axes[side], direction))).sum(axis=1) for side in (i, j)
-        )
-        meet &= np.abs(dot(chord, direction)) <= reach
-    return meet
-
-
-def boxes(lattice, start, end):
-    """Boxes round stretches: their middles (k, 3), axes (k, 3, 3), the first one forward, and half their edges."""
-    rings = np.minimum(start[:, None] + np.arange(BANDS + 1), end[:, None])
-    origin = lattice.path[start]
-    points = lattice.points(rings).transpose(1, 3, 0, 2).reshape(len(rings), 3, -1)
-    points -= origin[:, :, None]
-    forward = unit(lattice.normals[rings].sum(axis=1))
-    aside = points[:, :, :: BANDS + 1]
-    longest = aside[np.arange(len(aside)), :, (aside * aside).sum(axis=1).argmax(axis=1)]
-    wide = longest - dot(longest, forward)[:, None] * forward
-    none = norms(wide) < 1e-12
-    wide[none] = np.cross(forward[none], np.eye(3)[np.abs(forward[none]).argmin(axis=1)])
-    wide = unit(wide)
-    axes = np.stack((forward, wide, np.cross(forward, wide)), axis=1)
-    along = axes @ points
-    low, high = along.min(axis=2), along.max(axis=2)
-    return origin + np.einsum("pa,pak->pk", (low + high) / 2, axes), axes, (high - low) / 2
