@@ -352,7 +352,7 @@ def test_a_moving_tree_is_told_within_the_tolerance():
 
 
 def test_a_ball_that_grows_as_it_moves_leaves_a_cone():
-    """The envelope of balls of radius 0.3 + 0.25 s is a cone with two caps; the poses of the mesh's cells tell it."""
+    """The envelope of balls of radius 0.3 + 0.25 s is a cone with two caps, of polyhedra nearly so."""
     ball = sw.solids.Triangles.of(sw.solids.Ball(0.3, 256).mesh())
     growing = {f"scale_{axis}": "1 + t/0.6" for axis in "xyz"}
     sweep = sw.GeneralSweep(ball, sw.trajectories.Line(end=(0, 0, 2)), cells=48, **growing)

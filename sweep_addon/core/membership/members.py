@@ -19,11 +19,11 @@ from ..shapes.offset_surface import OffsetSurface
 from ..shapes.pd_curve_sweep import PDCurveSweep
 from ..shapes.rotational_sweep import RotationalSweep
 from ..shapes.translational_sweep import TranslationalSweep
-from ..variation.laws import Constant
-from ..variation.motion import Motion
+from ..variation.motion import UNDEFORMED, UNSCALED, Motion
 from . import ways
 from .balls import BallsBody
 from .bodies import BallBody, MeshBody, OffsetBody, VisitedBody
+from .changes import Scaling
 from .deformed import DeformedBody
 from .deforming import Deforming
 from .discs import DiscsBody
@@ -35,8 +35,6 @@ from .sheet import SheetBody
 from .smooth import Superdisc
 from .strands import Strands
 from .trees import PlacedMember, TreeMember
-
-UNSCALED = (Constant(1.0),) * 3
 
 
 @lru_cache(maxsize=64)
@@ -118,7 +116,7 @@ def moving(shape):
     rigid = shape.rigid
     turns = rigid.turn_x, rigid.turn_y, rigid.turn_z
     with at("solid"):
-        return MovingSolid(solid(shape.solid), Motion(rigid.trajectory, rigid.frame, turns, UNSCALED, ("x", "y", "z")))
+        return MovingSolid(solid(shape.solid), Motion(rigid.trajectory, rigid.frame, turns, UNSCALED, UNDEFORMED))
 
 
 def general(shape):
@@ -127,9 +125,12 @@ def general(shape):
         return deformed(shape) if shape.motion.deforms else planar(ways.of_planar)(shape)
     if len(shape.generator.mesh().boundary_edges()):  # a surface, which stands at both ends
         return meshed(shape.mesh())
-    rigid = not shape.motion.deforms and shape.motion.scales == UNSCALED
+    if shape.motion.deforms:
+        return VisitedBody(shape)
     with at("generator"):
-        return MovingSolid(solid(shape.generator), shape.motion) if rigid else VisitedBody(shape)
+        body = solid(shape.generator)
+    change = None if shape.motion.scales == UNSCALED else Scaling(shape.motion, body.box)
+    return MovingSolid(body, shape.motion, change)
 
 
 def deformed(shape):

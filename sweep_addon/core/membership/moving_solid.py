@@ -39,13 +39,15 @@ class MovingSolid:
     solid : member
         With a ``distance``.
     motion : Motion
-        A rigid one.
+        What it makes of the solid itself is told by the change.
+    change : Change, optional
     """
 
     is_sheet = False
 
-    def __init__(self, solid, motion):
-        self.solid = solid
+    def __init__(self, solid, motion, change=None):
+        self.solid, self.change = solid, change
+        motion, whole = motion.rigid, motion
         measure = arc_length(motion.trajectory)
         self.total = measure.total
         looked = motion.at(np.linspace(0.0, self.total, LOOKED))
@@ -62,21 +64,30 @@ class MovingSolid:
 
         breaks = apart(measure.at(motion.trajectory.joints()), self.total)
         self.panels = panels(back, breaks, PARTS, np.append(np.ones(9), np.full(3, self.size)))
-        self.half = ((self.panels.end - self.panels.start) / 2)[:, None, None]
-        self.rates = derivative(self.panels.series) / self.half
-        self.changes = derivative(self.rates) / self.half
-        bend = np.einsum("kcj,ij->kic", self.changes, powers(NODES))
+        half = ((self.panels.end - self.panels.start) / 2)[:, None, None]
+        self.rates = derivative(self.panels.series) / half
+        bent = derivative(self.rates) / half
+        bend = np.einsum("kcj,ij->kic", bent, powers(NODES))
         self.bend = ROOM * np.sqrt((bend[..., :9] ** 2).sum(axis=2)).max(), ROOM * norms(bend[..., 9:]).max()
         self.poses = list(self.looked())
-        corners = np.stack(np.meshgrid(*solid.box.T, indexing="ij"), axis=-1).reshape(-1, 3)
-        swept = motion.posed(corners, looked)
         turning = np.sqrt((np.einsum("kcj,ij->kic", self.rates, powers(NODES))[..., :9] ** 2).sum(axis=2)).max()
-        between = self.total / LOOKED
-        bulge = float(np.abs(solid.box).max()) * (turning * between) ** 2 + between
-        self.box = np.stack((swept.min(axis=(0, 1)) - bulge, swept.max(axis=(0, 1)) + bulge))
+        self.box = self.around(whole, turning)
+
+    def around(self, motion, turning):
+        """The box of all poses: that of some, and what may be beyond it between them."""
+        s = np.linspace(0.0, self.total, LOOKED)
+        poses, corners = motion.at(s), corners_of(self.solid.box)
+        places = motion.posed(corners, poses)
+        far = norms(places - poses.origin[:, None]).max()
+        beyond = far * (turning * s[1]) ** 2 + s[1] + (self.change.most(s) if self.change else 0.0)
+        return np.stack((places.min(axis=(0, 1)) - beyond, places.max(axis=(0, 1)) + beyond))
 
     def looked(self):
-        """Poses to look at all points in: the arc length, whether a smooth piece begins, the motion and its rate."""
+        """Poses to look at all points in.
+
+        Of each the arc length, whether a smooth piece begins, the motion and its rate, how fast the solid changes about
+        it, and how far on it does so.
+        """
         start, end = self.panels.start, self.panels.end
         sides = np.stack((self.panels.series, self.rates))
         begun, ended = (sides @ side ** np.arange(sides.shape[-1]) for side in (-1.0, 1.0))
@@ -85,11 +96,15 @@ class MovingSolid:
         first = np.append(0, np.flatnonzero(jumps) + 1)
         for a, b in zip(first, np.append(first[1:], len(start)), strict=True):
             count = max(int(np.ceil(POSES * (end[b - 1] - start[a]) / self.total)), 1)
-            for number, s in enumerate(np.linspace(start[a], end[b - 1], count + 1)):
+            places = np.linspace(start[a], end[b - 1], count + 1)
+            places = self.change.spread(places) if self.change else places
+            for number, s in enumerate(places):
                 panel = min(max(int(np.searchsorted(start, s, side="right")) - 1, a), b - 1)
                 x = np.clip((2 * s - start[panel] - end[panel]) / (end[panel] - start[panel]), -1.0, 1.0)
                 basis = powers(np.array([x]))[0]
-                yield s, number == 0, self.panels.series[panel] @ basis, self.rates[panel] @ basis
+                beside = places[max(number - 1, 0)], places[min(number + 1, len(places) - 1)]
+                change = self.change.around(*beside) if self.change else (0.0, np.inf)
+                yield s, number == 0, self.panels.series[panel] @ basis, self.rates[panel] @ basis, *change
 
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""
@@ -119,18 +134,19 @@ class MovingSolid:
     def followed(self, places, tolerance, caution, enough):
         """The same for so few places about the middle that all fit into a processor's cache."""
         least = np.full(len(places), np.inf)
-        gaps = self.left_open(places, caution, enough, least)
+        gaps = self.left_open(places, tolerance, caution, enough, least)
         while len(gaps[0]):
             point, low, high, speed = (part[least[gaps[0]] >= -enough] for part in gaps)
             length, middle = high - low, (low + high) / 2
             short = length <= SHORTEST * self.total
             short &= speed * length > HALVED * tolerance
             if short.any():
-                np.minimum.at(least, point[short], self.searched(places[point[short]], low[short], high[short]))
+                found = self.searched(places[point[short]], low[short], high[short], tolerance)
+                np.minimum.at(least, point[short], found)
             point, low, high, speed, middle, length = (
                 part[~short] for part in (point, low, high, speed, middle, length)
             )
-            distance = self.at(places[point], middle)
+            distance = self.at(places[point], middle, tolerance)
             np.minimum.at(least, point, distance)
             clear = np.maximum(distance, 0.0) / speed
             open_ = (2 * clear < length) & (speed * length > tolerance)
@@ -139,7 +155,7 @@ class MovingSolid:
             gaps = [np.tile(point[open_], 2), *gaps, np.tile(speed[open_], 2)]
         return least
 
-    def left_open(self, places, caution, enough, least):
+    def left_open(self, places, tolerance, caution, enough, least):
         """What the poses leave open of the ways of places: their numbers, from where, to where, and how fast they move.
 
         At a pose a place moves at a known speed v, which changes by no more than its bend b: within a step h it goes
@@ -147,7 +163,7 @@ class MovingSolid:
         """
         until, gaps = np.zeros(len(places)), []
         bend = caution * (self.bend[0] * norms(places) + self.bend[1])
-        for s, first, motion, rate in self.poses:
+        for s, first, motion, rate, growth, horizon in self.poses:
             if first:
                 until[:] = s
                 asked = np.flatnonzero(least >= -enough)
@@ -155,8 +171,8 @@ class MovingSolid:
                 asked = np.flatnonzero((until < s) & (least >= -enough))
             matrix, change = motion[:9].reshape(3, 3), rate[:9].reshape(3, 3)
             some = places[asked]
-            distance = self.solid.distance(some @ matrix.T + motion[9:])
-            speed = caution * norms(some @ change.T + rate[9:])
+            distance = self.from_solid(some @ matrix.T + motion[9:], s, tolerance)
+            speed = caution * (norms(some @ change.T + rate[9:]) + growth)
             least[asked] = np.minimum(least[asked], distance)
             ahead, bent = np.maximum(distance, 0.0), bend[asked]
             root = speed + np.sqrt(speed**2 + 2 * bent * ahead)
@@ -165,25 +181,43 @@ class MovingSolid:
             open_ = np.flatnonzero(s - clear > until[asked])
             point, low = asked[open_], until[asked[open_]]
             gaps.append((point, low, s - clear[open_], speed[open_] + bent[open_] * (s - low)))
-            until[asked] = s + clear
+            until[asked] = np.minimum(s + clear, horizon)
         return [np.concatenate(part) for part in zip(*gaps, strict=True)]
 
-    def searched(self, places, low, high):
+    def searched(self, places, low, high, tolerance):
         """The least distance between two places of the way, by golden sections: (n,)."""
         a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        at_a, at_b = self.at(places, a), self.at(places, b)
+        at_a, at_b = self.at(places, a, tolerance), self.at(places, b, tolerance)
         for _ in range(STEPS):
             left = at_a < at_b
             low, high = np.where(left, low, a), np.where(left, b, high)
             a, b = np.where(left, high - GOLDEN * (high - low), b), np.where(left, a, low + GOLDEN * (high - low))
-            asked = self.at(places, np.where(left, a, b))
+            asked = self.at(places, np.where(left, a, b), tolerance)
             at_a, at_b = np.where(left, asked, at_b), np.where(left, at_a, asked)
-        return np.minimum(np.minimum(at_a, at_b), np.minimum(self.at(places, low), self.at(places, high)))
+        ends = (self.at(places, end, tolerance) for end in (low, high))
+        return np.minimum(np.minimum(at_a, at_b), np.minimum(*ends))
 
-    def at(self, places, s):
+    def at(self, places, s, tolerance):
         """How far places about the middle, (n, 3), are from the solid when it has come so far: (n,)."""
+        return self.from_solid(self.seen(places, s), s, tolerance)
+
+    def seen(self, places, s):
+        """Places about the middle, (n, 3), as seen by the rigid motion when it has come so far: (n, 3)."""
         panel = np.clip(np.searchsorted(self.panels.start, s, side="right") - 1, 0, len(self.panels.start) - 1)
         start, end = self.panels.start[panel], self.panels.end[panel]
         held = self.panels.at(panel, np.clip((2 * s - start - end) / (end - start), -1.0, 1.0))
-        local = np.einsum("nij,nj->ni", held[:, :9].reshape(-1, 3, 3), places)
-        return self.solid.distance(local + held[:, 9:])
+        return np.einsum("nij,nj->ni", held[:, :9].reshape(-1, 3, 3), places) + held[:, 9:]
+
+    def from_solid(self, places, s, tolerance):
+        """How far places (n, 3), as seen by the rigid motion, are from the solid, or less: (n,).
+
+        Within a tolerance it is no less.
+        """
+        if self.change:
+            return self.change.distance(self.solid, places, s, tolerance)
+        return self.solid.distance(places)
+
+
+def corners_of(box):
+    """The corners of a box (2, 3): (8, 3)."""
+    return np.stack(np.meshgrid(*box.T, indexing="ij"), axis=-1).reshape(-1, 3)

@@ -20,13 +20,14 @@ from ..stations.parallel import Parallel
 from ..stations.sampling import place, stations
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .laws import Law
+from .laws import Constant, Law
 
 FOLLOWED = 32  # points of the generator whose ways say how closely it stands
 ROUNDS = 5  # of Newton's method
 DIFFERENCE = 1e-6  # of the size: over which slopes of formulas are taken
 SINGULAR = 1e-9  # a determinant of less turns no way back
 SAME = 1e-9  # of how far points move: nearer to where it began a generator is back
+UNSCALED, UNDEFORMED = (Constant(1.0),) * 3, ("x", "y", "z")
 
 
 class Poses(NamedTuple):
@@ -153,6 +154,11 @@ class Motion:
             points -= np.linalg.solve(slopes, off[..., None])[..., 0]
             off = taken(points) - places
         return points, norms(off)
+
+    @property
+    def rigid(self):
+        """The motion without what it makes of the generator itself: its scales and its deformation."""
+        return Motion(self.trajectory, self.frame, self.turns, UNSCALED, UNDEFORMED)
 
     @property
     def deforms(self):
