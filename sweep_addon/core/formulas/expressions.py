@@ -8,7 +8,7 @@ numbers are floats: no power can grow beyond infinity, which is refused.
 """
 
 import re
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import islice
 from math import isfinite
 
@@ -16,7 +16,7 @@ import numpy as np
 
 from ..declared.frozen import frozen
 from ..declared.parameters import ShapeError, require
-from .functions import COMPARISON, INFIX, LAWS, NEGATION, POWER, PREFIX
+from .functions import COMPARISON, INFIX, LAWS, NEGATION, POWER, PREFIX, Question
 
 LONGEST = 2000  # characters of a text
 DEEPEST = 100  # brackets, signs and powers inside one another
@@ -93,18 +93,79 @@ class Expression:
 
     def calculated(self, values):
         """The same, for who has told NumPy that no number is an error."""
-        stack = []
-        for step in self.program:
-            if isinstance(step, tuple):
-                function, count = step
-                if count == 2:  # as most have
-                    second = stack.pop()
-                    stack[-1] = function(stack[-1], second)
-                else:
-                    stack[-count:] = [function(*stack[-count:])]
+        return result(self.steps, values)
+
+    def answered(self, values):
+        """The same, but of an expression that asks something bools."""
+        return result(self.asking, values)
+
+    @cached_property
+    def steps(self):
+        return planned(self.program)
+
+    @cached_property
+    def asking(self):
+        return planned(self.program, number=False)
+
+
+def planned(program, number=True):
+    """The steps of a program, in which answers become numbers only where somebody calculates with them.
+
+    Parameters
+    ----------
+    program : tuple
+        As that of an expression.
+    number : bool
+        Whether its own value becomes one.
+
+    Returns
+    -------
+    list
+        Numbers, names, and functions with the number of values they take.
+    """
+    steps, answers = [], []  # of each value that waits the step that answers, or None
+    for step in program:
+        if not isinstance(step, tuple):
+            steps.append(step if isinstance(step, str) else np.float64(step))
+            answers.append(None)
+            continue
+        function, count = step
+        taken = answers[-count:]
+        del answers[-count:]
+        if isinstance(function, Question):
+            answers.append(len(steps))
+            function = function.asked if None in taken else function.of_answers
+        else:
+            answers.append(None)
+            counted(steps, taken)
+        steps.append((function, count))
+    if number:
+        counted(steps, answers)
+    return steps
+
+
+def counted(steps, places):
+    """Let answers at places of a plan become numbers."""
+    for place in places:
+        if place is not None:
+            function, count = steps[place]
+            steps[place] = Question(function), count
+
+
+def result(steps, values):
+    """What planned steps come to, in the order of a stack."""
+    stack = []
+    for step in steps:
+        if isinstance(step, tuple):
+            function, count = step
+            if count == 2:  # as most have
+                second = stack.pop()
+                stack[-1] = function(stack[-1], second)
             else:
-                stack.append(values[step] if isinstance(step, str) else np.float64(step))
-        return stack[0]
+                stack[-count:] = [function(*stack[-count:])]
+        else:
+            stack.append(values[step] if isinstance(step, str) else step)
+    return stack[0]
 
 
 def compile(text, names):

@@ -12,9 +12,22 @@ MOST = 2000  # values of a function that takes any number; a text is shorter
 CONSTANTS = {"pi": pi, "tau": tau, "e": e}
 
 
-def truth(question):
-    """A question whose answer counts: 1 where it holds, 0 elsewhere."""
-    return lambda *values: question(*values).astype(np.float64)
+class Question:
+    """An operator whose answer counts: 1 where it holds, 0 elsewhere.
+
+    Parameters
+    ----------
+    asked : callable
+        Gives bools.
+    of_answers : callable, optional
+        What gives the same, sooner, where all that it takes are bools.
+    """
+
+    def __init__(self, asked, of_answers=None):
+        self.asked, self.of_answers = asked, of_answers or asked
+
+    def __call__(self, *values):
+        return self.asked(*values).astype(np.float64)
 
 
 def either(one, other):
@@ -68,25 +81,25 @@ FUNCTIONS = {  # name: function, fewest and most values; where it draws random n
 NEGATION, COMPARISON, SIGN, POWER = 3, 4, 7, 8  # how closely an operator binds: the higher, the closer
 
 PREFIX = {
-    "not": (NEGATION, truth(neither)),
-    "!": (SIGN, truth(neither)),
+    "not": (NEGATION, Question(neither, np.logical_not)),
+    "!": (SIGN, Question(neither, np.logical_not)),
     "-": (SIGN, np.negative),
     "+": (SIGN, np.positive),
 }
 INFIX = {  # & | = are what "The Algorithmic Beauty of Plants" prints
-    "||": (1, truth(either)),
-    "|": (1, truth(either)),
-    "or": (1, truth(either)),
-    "&&": (2, truth(both)),
-    "&": (2, truth(both)),
-    "and": (2, truth(both)),
-    "<": (COMPARISON, truth(np.less)),
-    "<=": (COMPARISON, truth(np.less_equal)),
-    ">": (COMPARISON, truth(np.greater)),
-    ">=": (COMPARISON, truth(np.greater_equal)),
-    "==": (COMPARISON, truth(np.equal)),
-    "=": (COMPARISON, truth(np.equal)),
-    "!=": (COMPARISON, truth(np.not_equal)),
+    "||": (1, Question(either, np.logical_or)),
+    "|": (1, Question(either, np.logical_or)),
+    "or": (1, Question(either, np.logical_or)),
+    "&&": (2, Question(both, np.logical_and)),
+    "&": (2, Question(both, np.logical_and)),
+    "and": (2, Question(both, np.logical_and)),
+    "<": (COMPARISON, Question(np.less)),
+    "<=": (COMPARISON, Question(np.less_equal)),
+    ">": (COMPARISON, Question(np.greater)),
+    ">=": (COMPARISON, Question(np.greater_equal)),
+    "==": (COMPARISON, Question(np.equal)),
+    "=": (COMPARISON, Question(np.equal)),
+    "!=": (COMPARISON, Question(np.not_equal)),
     "+": (5, np.add),
     "-": (5, np.subtract),
     "*": (6, np.multiply),

@@ -29,7 +29,7 @@ class Chunk:
     def __init__(self, nodes, size, columns, birth, keys):
         self.nodes, self.size, self.columns, self.birth, self.keys = nodes, size, columns, birth, keys
 
-    def values(self, expression, sources, moment):
+    def values(self, expression, sources, moment, asking=False):
         """The value of a formula of their parameters: a number where it is the same for all."""
 
         def find(name, part):
@@ -38,7 +38,7 @@ class Chunk:
             column = self.columns[sources[name][1]]
             return column[part] if np.ndim(column) else column
 
-        return values(expression, find, self.size)
+        return values(expression, find, self.size, asking)
 
     def parameter(self, column, place):
         """A parameter of one of them."""

@@ -4,25 +4,12 @@
 
 import numpy as np
 
-from ...formulas.expressions import DRAW, Expression
+from ...formulas.expressions import Expression
 
 BLOCK = 1 << 14  # modules
 
 
-class Named(dict):
-    """The values of names, found when they are asked for. Random numbers are asked for once, and not kept."""
-
-    def __init__(self, find, part):
-        self.find, self.part = find, part
-
-    def __missing__(self, name):
-        found = self.find(name, self.part)
-        if not name.startswith(DRAW):
-            self[name] = found
-        return found
-
-
-def values(expression, find, size):
+def values(expression, find, size, asking=False):
     """The value of a formula for so many modules: an array, or a number where it is the same for all.
 
     Derivations tell NumPy once a step that no number is an error; there are thousands of formulas.
@@ -34,18 +21,25 @@ def values(expression, find, size):
     find : callable
         The value of a name for a slice of the modules.
     size : int
+    asking : bool
+        Whether answers stay bools.
     """
-    whole = slice(None)
+
+    names, whole = expression.names, slice(None)
     if not isinstance(expression, Expression):
-        return expression.run({name: find(name, whole) for name in expression.names})
+        return expression.run({name: find(name, whole) for name in names})
+    run = expression.answered if asking else expression.calculated
     if size <= BLOCK:
-        return expression.calculated(Named(find, whole))
-    first = expression.calculated(Named(find, slice(0, BLOCK)))
+        return run({name: find(name, whole) for name in names})
+
+    def part(start):
+        return run({name: find(name, slice(start, start + BLOCK)) for name in names})
+
+    first = part(0)
     if not np.ndim(first):
         return first
-    found = np.empty(size)
+    found = np.empty(size, dtype=first.dtype)
     found[:BLOCK] = first
     for start in range(BLOCK, size, BLOCK):
-        part = slice(start, start + BLOCK)
-        found[part] = expression.calculated(Named(find, part))
+        found[start : start + BLOCK] = part(start)
     return found

@@ -11,7 +11,7 @@ import numpy as np
 
 from .chunks import Chunk, merged
 from .draws import drawn, even, mix, root
-from .matching import finite
+from .matching import answer, finite
 from .stepping import told
 
 MOST_CHUNKS = 32  # of a kind, before they are made one
@@ -152,9 +152,8 @@ def taken(chunk, choices, moment):
     """The productions that modules of a chunk take, each with those; and None with those that stay."""
     for choice in choices:
         if choice.condition is not None:
-            value = chunk.values(choice.condition, choice.sources, moment)
-            value = finite(value, choice.productions[0], "the condition", chunk, moment)
-            matching, chunk = chunk.parted(value != 0)
+            value = chunk.values(choice.condition, choice.sources, moment, asking=True)
+            matching, chunk = chunk.parted(answer(value, choice, chunk, moment))
         else:
             matching, chunk = chunk, None
         if matching is not None and choice.always:

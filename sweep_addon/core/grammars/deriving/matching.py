@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which production each module of a word takes, and what the parameters of its successor are."""
 
+from math import isfinite
+
 import numpy as np
 
 from ...declared.parameters import ShapeError
 from ...formulas.expressions import DRAW
 from .draws import LEVELS, drawn, even
-from .evaluating import values
+from .evaluating import BLOCK, values
 
 FEW = 32  # kinds of modules, each of which is searched for by itself
 
@@ -22,27 +24,37 @@ class Site:
         The places of the predecessors, node 0, and of those nodes of the context whose parameters are asked for.
     moment : int
         The step that is made, for random numbers.
+    known : dict of (int, int) to (m,) float array
+        Parameters by node and column, as far as they were asked for.
     """
 
-    def __init__(self, state, rows, moment):
-        self.state, self.rows, self.moment = state, rows, moment
+    def __init__(self, state, rows, moment, known=()):
+        self.state, self.rows, self.moment, self.known = state, rows, moment, dict(known)
 
     def keep(self, chosen):
-        """Those of the modules that are chosen."""
-        return Site(self.state, {node: rows[chosen] for node, rows in self.rows.items()}, self.moment)
+        """Those of the modules that are chosen, by rising numbers."""
+        if len(chosen) == len(self.rows[0]):
+            return self
+        return Site(self.state, {node: rows.take(chosen) for node, rows in self.rows.items()}, self.moment)
 
-    def values(self, expression, sources):
+    def values(self, expression, sources, asking=False):
         """(m,) float array, or one number where it is the same for all: the value of a formula of parameters."""
+        size = len(self.rows[0])
 
         def find(name, part):
-            if name.startswith(DRAW):
-                return self.even(1 + int(name.removeprefix(DRAW)), part)
-            if name not in sources:
-                return self.state.variables[name]
-            node, column = sources[name]
-            return self.state.columns[column][self.rows[node][part]]
+            source = sources.get(name)
+            if source is None:
+                drawn = name.startswith(DRAW)
+                return self.even(1 + int(name.removeprefix(DRAW)), part) if drawn else self.state.variables[name]
+            if source in self.known:
+                return self.known[source]
+            node, column = source
+            found = self.state.columns[column].take(self.rows[node][part])
+            if size <= BLOCK:
+                self.known[source] = found
+            return found
 
-        return values(expression, find, len(self.rows[0]))
+        return values(expression, find, size, asking)
 
     def parameter(self, column, place):
         """A parameter of one of the modules that are replaced."""
@@ -111,20 +123,21 @@ def tried(state, waiting, choices, moment, links, check):
     Site
         The modules that it replaces.
     """
+    site, matches = Site(state, {0: waiting}, moment), ()
     for choice, known in choices:
-        if not waiting.size:
+        if len(matches):
+            others = np.ones(len(site.rows[0]), dtype=bool)
+            others[matches] = False
+            site = site.keep(others.nonzero()[0])
+        if not len(site.rows[0]):
             return
         check()
-        matches, site = matched(Site(state, {0: waiting}, moment), choice, links, known, check)
+        matches, found = matched(site, choice, links, known, check)
         if matches is None:
-            waiting = waiting[:0]
-        elif matches.size:
-            still = np.ones(len(waiting), dtype=bool)
-            still[matches] = False
-            waiting = waiting[still]
-        else:
-            continue
-        yield from shared(site, choice)
+            yield from shared(found, choice)
+            return
+        if len(matches):
+            yield from shared(found, choice)
 
 
 def matched(site, choice, links, known, check):
@@ -138,16 +151,20 @@ def matched(site, choice, links, known, check):
     if choice.needed:
         site = with_context(site, choice, links)
     if choice.condition is not None:
-        holds = (
-            finite(
-                site.values(choice.condition, choice.sources), choice.productions[0], "the condition", site, site.moment
-            )
-            != 0
-        )
-        if np.ndim(holds) or not holds:
-            holds = np.flatnonzero(holds)  # of one number that is 0, nothing
-            found, site = holds if found is None else found[holds], site.keep(holds)
+        holds = answer(site.values(choice.condition, choice.sources, asking=True), choice, site, site.moment)
+        if np.ndim(holds):
+            holds = holds.nonzero()[0]
+            return holds if found is None else found[holds], site.keep(holds) if len(holds) else site
+        if not holds:
+            return np.zeros(0, dtype=np.intp), site
     return found, site
+
+
+def answer(value, choice, modules, moment):
+    """Whether the condition of a choice holds: one that asks has answered, one that is a number must be finite."""
+    if isinstance(value, (np.ndarray, np.bool_)) and value.dtype == np.bool_:
+        return value
+    return finite(value, choice.productions[0], "the condition", modules, moment) != 0
 
 
 def context(site, choice, links, check):
@@ -170,16 +187,19 @@ def with_context(site, choice, links):
     """The same modules with those of their context whose parameters are asked for."""
     rows, kept = {0: site.rows[0]}, {0: site.rows[0]}
     for node, (origin, link, number, _) in enumerate(choice.nodes[: max(choice.needed, default=0)], 1):
-        rows[node] = linked(links, link, number, rows[origin])
+        found = linked(links, link, number, rows[origin])
         if node in choice.needed:
-            kept[node] = rows[node]
-        rows = {other: each for other, each in rows.items() if choice.last[other] > node}
-    return Site(site.state, kept, site.moment)
+            kept[node] = found
+        if choice.last[node]:  # whose neighbours are asked for too
+            rows[node] = found
+        if choice.last[origin] == node:
+            del rows[origin]
+    return Site(site.state, kept, site.moment, site.known)
 
 
 def linked(links, link, number, rows):
     """(m,) int array: the neighbours of modules by a link, the so-manieth of a kind of which there are several."""
-    return links.branch(number, rows) if link == "branch" else getattr(links, link)[rows]
+    return links.branch(number, rows) if link == "branch" else getattr(links, link).take(rows)
 
 
 def shared(site, choice):
@@ -208,7 +228,7 @@ def finite(values, production, what, modules, moment):
         Those that are replaced.
     moment : int
     """
-    if np.isfinite(np.add.reduce(values, axis=None)) or np.isfinite(values).all():
+    if isfinite(np.add.reduce(values, axis=None)) or np.isfinite(values).all():
         return values
     wrong = np.flatnonzero(~np.isfinite(np.ravel(values)))[0]
     name, count = production.predecessor.symbol

@@ -34,16 +34,15 @@ class Batch:
     values : dict of (int, int) to float or (m,) float array
         The parameters of what replaces them.
     keys : (m,) uint64 array or None
+    inherits : bool
+        Whether one of the successors has the number of the predecessor.
     """
+
+    inherits = False
 
     def __init__(self, template, shape, nodes, values):
         self.template, self.shape, self.nodes, self.values = template, shape, nodes, values
         self.children, self.keys = {}, None
-
-    @property
-    def inherits(self):
-        """Whether one of the successors has the number of the predecessor."""
-        return self.shape.heir is not None and self.shape.heir not in self.children
 
     @property
     def size(self):
@@ -122,17 +121,17 @@ class Pool:
         lookup = self.lookup(rules)
         symbols = self.symbols[: self.count]
         size = self.none + 1
-        key = symbols[self.left[: self.count]].astype(np.uint32)
+        key = symbols.take(self.left[: self.count]).astype(np.uint32)
         key *= size
         key += symbols
         key *= size
-        key += symbols[self.right[: self.count]]
-        code = lookup.table.ravel()[key]
-        busy = np.flatnonzero(code > self.none)
+        key += symbols.take(self.right[: self.count])
+        code = lookup.table.take(key)
+        busy = (code > self.none).nonzero()[0]
         changes, batches = [], []
-        of_busy = code[busy]
-        for number in np.flatnonzero(np.bincount(of_busy)).tolist() if len(busy) else ():
-            waiting = busy[of_busy == number]
+        of_busy = code.take(busy)
+        for number in np.bincount(of_busy).nonzero()[0].tolist():
+            waiting = busy.take((of_busy == number).nonzero()[0])
             for template, site in tried(self, waiting, lookup.lists[number - size], moment, self, self.meter.check):
                 values = self.evaluated(template, site)
                 if len(template.symbols) == 1:
@@ -142,7 +141,7 @@ class Pool:
         self.total += sum(len(batch.nodes) * (len(batch.template.symbols) - 1) for batch in batches)
         self.meter.room(self.total, generation)
         self.meter.nodes(self.count, self.width, generation)
-        code[busy] = symbols[busy]
+        code[busy] = symbols.take(busy)
         self.symbols[: self.count] = code
         for nodes, symbol, values in changes:
             self.symbols[nodes] = symbol
@@ -192,4 +191,5 @@ class Pool:
             self.left[at] = NONE if before is None else left if before == -1 else numbers[before]
             if not heir or place != shape.heir:  # whose right neighbour stays, and may have pointed to its successor
                 self.right[at] = NONE if after is None else right if after == -1 else numbers[after]
+        batch.inherits = heir
         self.batches.append(batch)
