@@ -19,7 +19,7 @@ SPARSE = (256, 16, 1)  # every so many pairs of cells are looked at, until some 
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))  # of a cell: which column, its own or the next, and which ring
 TRIANGLES = np.array(((0, 1, 2), (0, 2, 3)))  # their corners
 ALONE = np.array([0, 0, 1, 2, 2, 1, 0, 0])  # which corner is on a side by itself, by the sum of 1, 2, 4 of those below
-TURNED = TRIANGLES[:, (ALONE[:, None] + np.arange(3)) % 3]  # by triangle and that sum: its corners from that one on
+TURNED = np.concatenate(TRIANGLES[:, (ALONE + np.arange(3)[:, None]) % 3], axis=1)  # its corners from that one on
 BLOCK = 4096  # pairs that are looked at together, so that caches hold them
 
 
@@ -42,44 +42,42 @@ def crossing(lattice, first, last):
     Those of one band or of two neighbours are no matter of it: how they fold is told by the local test.
     """
     bands = last[0] - first[0]
-    apart = (bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1))
-    first, last = first[:, apart], last[:, apart]
+    apart = np.flatnonzero((bands > 1) & ~(lattice.closed & (bands == lattice.bands - 1)))
+    first, last = first.take(apart, axis=1), last.take(apart, axis=1)
     quads, tolerance = corners(lattice, np.concatenate((first[0], last[0]))), TOUCHING * lattice.size
-    parts = [reaching(quads(first[:, some]), quads(last[:, some]), some.start, tolerance) for some in blocks(first[0])]
-    near, a, b = (np.concatenate(part, axis=-1) for part in zip(*parts, strict=True))
-    crossed = [(some.start, *triangles_cross(a[..., some], b[..., some], tolerance)) for some in blocks(near)]
-    which = np.concatenate([start + found for start, found, _ in crossed])
-    points = np.concatenate([found for *_, found in crossed], axis=1)
-    return Crossings(*np.stack((first, last), axis=2)[:, near[which]], points.T)
+
+    def near(some):
+        """Those of some pairs, by their numbers, that reach into the slabs of each other."""
+        a, b = quads(first[:, some]), quads(last[:, some])
+        return some[reach_slabs(a, b, tolerance) & reach_slabs(b, a, tolerance)]
+
+    def crossed(some):
+        which, points = triangles_cross(quads(first[:, some]), quads(last[:, some]), tolerance)
+        return some[which], points
+
+    reaching = np.concatenate([near(some) for some in blocks(np.arange(len(first[0])))])
+    which, points = (np.concatenate(part, axis=-1) for part in zip(*map(crossed, blocks(reaching)), strict=True))
+    first, last = first[:, which], last[:, which]
+    return Crossings(*(np.stack(pair, axis=1) for pair in zip(first, last, strict=True)), points.T)
 
 
 def blocks(pairs):
-    """Slices of pairs, some at a time; one at least."""
-    return [slice(start, start + BLOCK) for start in range(0, max(len(pairs), 1), BLOCK)]
+    """Pairs (k,), some at a time."""
+    return np.split(pairs, range(BLOCK, len(pairs), BLOCK))
 
 
 def corners(lattice, bands):
     """A function from cells of some bands, (2, k) bands and columns, to their corners, (3, 4, k)."""
-    used = np.unique(bands)
-    row = np.zeros(lattice.bands, int)
-    row[used] = np.arange(len(used))
-    points = lattice.points(np.stack((used, used + 1), axis=1))  # column, band, ring, axis
-    points = np.moveaxis(points, -1, 0).reshape(3, -1)
+    used = np.full(len(lattice.u), False)
+    used[bands] = used[bands + 1] = True
+    row, count = np.cumsum(used) - 1, np.count_nonzero(used)
+    points = np.moveaxis(lattice.points(np.flatnonzero(used)), -1, 0).reshape(3, -1)
 
     def quads(cells):
-        band, column = row[cells[0]], (cells[1], lattice.grid.following[cells[1]])
-        numbers = [(column[beside] * len(used) + band) * 2 + up for beside, up in CORNERS]
-        return points.take(np.stack(numbers), axis=1)
+        rows, column = (row[cells[0]], row[cells[0] + 1]), (cells[1], lattice.grid.following[cells[1]])
+        return points.take(np.stack([column[beside] * count + rows[up] for beside, up in CORNERS]), axis=1)
 
     return quads
-
-
-def reaching(a, b, start, tolerance):
-    """Those of pairs of cells, (3, 4, k) twice, that reach into the slabs of each other: their numbers, and both."""
-    near = np.flatnonzero(reach_slabs(a, b, tolerance))
-    a, b = a.take(near, axis=2), b.take(near, axis=2)
-    nearer = np.flatnonzero(reach_slabs(b, a, tolerance))
-    return start + near[nearer], a.take(nearer, axis=2), b.take(nearer, axis=2)
 
 
 def candidates(lattice, pairs):
@@ -120,17 +118,13 @@ def pyramid(lattice, used):
     """
     start, end = (part[used] for part in stretches(lattice.bands, BANDS))
     rings = np.minimum(start[:, None] + np.arange(BANDS + 1), end[:, None])
-    points = lattice.points(rings).transpose(3, 1, 2, 0)  # axis, stretch, ring, column
-    beside = points[..., lattice.grid.following]
-    columns = points.shape[3]
-    shape = (3, len(used), BANDS, 1 << int(np.ceil(np.log2(max(columns, 2)))))
-    low, high = np.full(shape, np.inf), np.full(shape, -np.inf)
-    for box, join in ((low, np.minimum), (high, np.maximum)):
-        ring = join(points, beside)
-        box[..., :columns] = join(ring[:, :, :-1], ring[:, :, 1:])
+    points = lattice.points(rings)
+    beside = points[lattice.grid.following]
+    low, high = (around(join(points, beside), join) for join in (np.minimum, np.maximum))
     none = np.arange(BANDS) >= (end - start)[:, None]
-    low[:, none], high[:, none] = np.inf, -np.inf
-    gaps = list(lattice.grid.gaps)
+    if none.any():
+        low[:, none], high[:, none] = np.inf, -np.inf
+    gaps = [*lattice.grid.gaps, *range(lattice.grid.columns, low.shape[3])]
     low[..., gaps], high[..., gaps] = np.inf, -np.inf
     low += TOUCHING * lattice.size
     levels = [(low, high)]
@@ -141,6 +135,14 @@ def pyramid(lattice, used):
                 low, high = np.minimum(low[even], low[odd]), np.maximum(high[even], high[odd])
         levels.append((low, high))
     return levels
+
+
+def around(rings, join):
+    """What is joined of rings (m, k, n, 3) and the next ones, axis by axis: (3, k, n - 1, 2 ** c), so many columns."""
+    columns, count, bands, _ = rings.shape
+    found = np.empty((3, count, bands - 1, 1 << int(np.ceil(np.log2(max(columns, 2))))))
+    found[..., :columns] = join(rings[:, :, :-1], rings[:, :, 1:]).transpose(3, 1, 2, 0)
+    return found
 
 
 def parts(boxes, above, below):
@@ -157,8 +159,8 @@ def parts_meet(low, high, first, last):
     for least, most in zip(low.reshape(3, -1), high.reshape(3, -1), strict=True):
         meet &= least.take(first)[:, None] <= most.take(last)
         meet &= least.take(last) <= most.take(first)[:, None]
-    meet = np.flatnonzero(meet)
-    part, pair = np.divmod(meet, pairs)
+    meet = np.flatnonzero(meet.transpose(2, 0, 1))  # parts of one pair together: what is near is looked at together
+    pair, part = np.divmod(meet, count * count)
     one, other = np.divmod(part, count)
     return first.take(one * pairs + pair), last.take(other * pairs + pair)
 
@@ -213,7 +215,7 @@ def through_planes(cells, over, side, plane, which, tolerance):
     """
     below = (over < 0)[:, TRIANGLES].astype(np.int8)
     kind = below[:, :, 0] + 2 * below[:, :, 1] + 4 * below[:, :, 2]
-    corners, count = TURNED[side, kind[plane, side, which]].T, cells.shape[2]
+    corners, count = TURNED.take(8 * side + kind[plane, side, which], axis=1), cells.shape[2]
     start, ends = np.split(cells.reshape(3, -1).take(corners * count + which, axis=1), (1,), axis=1)
     over_start, over_ends = np.split(over.take((plane * 4 + corners) * count + which), (1,))
     share = over_start / (over_start - over_ends)

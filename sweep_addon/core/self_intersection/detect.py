@@ -82,7 +82,8 @@ def stretches_met(lattice, found):
     step = norms(np.diff(lattice.path, axis=0)).mean()
     block = max(BANDS, int(2 * lattice.radii.max() / step))  # as long as the contour is wide
     count = max(lattice.bands // block, 1)
-    numbers, which = np.unique(found.bands * count // lattice.bands @ (count, 1), return_inverse=True)
+    first, last = found.bands.T * count // lattice.bands
+    numbers, which = np.unique(first * count + last, return_inverse=True)
     group = groups(np.stack(np.divmod(numbers, count), axis=1), count, lattice.closed)[which]
     places = []
     for number in range(group.max() + 1):
@@ -98,7 +99,7 @@ def sides(lattice, bands):
     """Pairs of bands (k, 2), those first that are beside the least of all: over a closed start they change sides."""
     if not lattice.closed:
         return bands
-    least = bands[np.lexsort(bands.T[::-1])[0]]
+    least = bands[(bands[:, 0] * lattice.bands + bands[:, 1]).argmin()]
     apart = np.abs(bands[:, :, None] - least)  # (k, 2, 2)
     apart = np.minimum(apart, lattice.bands - apart)
     other = apart[:, 0, 1] + apart[:, 1, 0] < apart[:, 0, 0] + apart[:, 1, 1]
@@ -136,8 +137,8 @@ def span(lattice, bands, points):
     squared = dot(step, step)
     share = dot(points - start, step) / np.where(squared > 0, squared, 1.0)
     u = lattice.u[bands] + share.clip(0.0, 1.0).round(9) * (lattice.u[bands + 1] - lattice.u[bands])
-    some = np.unique(bands)
-    if lattice.closed and len(some) > 1:
+    some = np.unique(bands) if lattice.closed else ()
+    if len(some) > 1:
         gap = np.diff(some).argmax()
         if some[gap + 1] - some[gap] > some[0] + lattice.bands - some[-1]:  # it goes on from the end to the start
             before = bands <= some[gap]
@@ -168,11 +169,11 @@ def groups(keys, count, closed):
 
 def ends_met(lattice, folded):
     """A place for each flat face at an end, and the stretch that goes through it."""
-    places = []
+    places, nearness = [], lattice.held(folded)
     for cap, ring, name in zip(lattice.grid.caps, (0, len(lattice.u) - 1), ("start", "end"), strict=True):
         if cap is None:
             continue
-        bands = np.flatnonzero(near_face(lattice, ring, folded))
+        bands = np.flatnonzero(near_face(lattice, ring, nearness))
         through, columns, points = through_face(lattice, ring, bands)
         order = np.argsort(through, kind="stable")
         for run in np.split(order, np.flatnonzero(np.diff(through[order]) > BANDS) + 1):
@@ -186,12 +187,12 @@ def ends_met(lattice, folded):
     return places
 
 
-def near_face(lattice, ring, folded):
+def near_face(lattice, ring, nearness):
     """Bands whose balls meet that round the face at a ring and its plane, and are not its own: (n - 1,) bool."""
-    nearness, rings = lattice.held(folded), np.arange(len(lattice.u))
+    rings, way = np.arange(len(lattice.u)), lattice.path - lattice.path[ring]
     near = nearness.near(np.minimum(rings, ring), np.maximum(rings, ring))
-    apart = norms(lattice.path - lattice.path[ring]) > lattice.radii + lattice.radii[ring]
-    over = np.abs((lattice.path - lattice.path[ring]) @ lattice.normals[ring]) > lattice.radii
+    apart = norms(way) > lattice.radii + lattice.radii[ring]
+    over = np.abs(way @ lattice.normals[ring]) > lattice.radii
     far = near | apart | over
     return ~(far[1:] & far[:-1])
 

@@ -13,6 +13,7 @@ from ..vectors import dot, norms, unit
 BANDS = 8  # in the shortest stretches
 COARSE = 64  # stretches that the search begins with, at least
 MANY = 1000  # pairs of stretches: where there are more, every other ring is enough to see how they meet
+TOO_MANY = 3  # times as many, at a guess: rings of which these are left are not looked at before there are fewer
 
 
 def stretches(bands, size):
@@ -37,44 +38,49 @@ def coarse(lattice, folded):
         Numbers of stretches of `BANDS` bands, the first no larger than the second.
     """
     while True:
-        found = far_pairs(lattice, folded, 2 * MANY)
+        found, each = far_pairs(lattice, folded, 2 * MANY)
         wide = len(found) > 2 * MANY
         if not wide:
             found = found[boxes_meet(lattice, *found.T)]
         thinner = lattice.coarser() if len(found) > MANY else None
         if not thinner:
-            return lattice, far_pairs(lattice, folded) if wide else found
+            return lattice, far_pairs(lattice, folded)[0] if wide else found
+        left = each * len(found) / lattice.bands**2
+        while left * thinner.bands**2 > TOO_MANY * MANY and (next_one := thinner.coarser()):
+            thinner = next_one
         lattice = thinner
 
 
 def far_pairs(lattice, folded, enough=None):
-    """Stretches of bands whose balls meet, and between which there is enough way for them to: (k, 2) int array.
+    """Stretches of bands whose balls meet, and between which there is enough way for them to.
 
-    Of more pairs than are enough these may be some, but more than so many.
+    Returns
+    -------
+    pairs : (k, 2) int array
+        Of more than are enough these may be some, but more than so many.
+    each : int
+        How many pairs each of them stands for.
     """
-    found, every = followed(lattice, folded, enough)
-    if not every and len(found) <= enough:
-        found, _ = followed(lattice, folded)
-    return found
+    pairs, each = followed(lattice, folded, enough)
+    return followed(lattice, folded) if each > 1 and len(pairs) <= enough else (pairs, each)
 
 
 def followed(lattice, folded, most=None):
-    """Such stretches, and whether these are all: of more pairs than most the halves of some alone are looked at."""
-    nearness, every = lattice.held(folded), True
+    """The same: of more pairs than most the halves of some alone are looked at, however few come of it."""
+    nearness, each = lattice.held(folded), 1
     halvings = max(int(np.log2(max(lattice.bands / (BANDS * COARSE), 1))), 0)
     first, last = np.triu_indices(-(-lattice.bands // (BANDS << halvings)))
     for size in (BANDS << level for level in range(halvings, -1, -1)):
         start, end = stretches(lattice.bands, size)
         if size < BANDS << halvings:
-            if most and len(first) > most:
-                step, every = -(-len(first) // most), False
-                first, last = first[::step], last[::step]
-            first, last = children(first, last, len(start))
+            step = -(-len(first) // most) if most and len(first) > most else 1
+            first, last = children(first[::step], last[::step], len(start))
+            each *= step
         kept = np.flatnonzero(balls_meet(*balls(lattice, start, end), first, last))
         first, last = first[kept], last[kept]
         kept = ~(nearness.near(start[first], end[last]) | nearness.around(end[first], start[last]))
         first, last = first[kept], last[kept]
-    return np.stack((first, last), axis=1), every
+    return np.stack((first, last), axis=1), each
 
 
 def balls_meet(middle, radius, first, last):

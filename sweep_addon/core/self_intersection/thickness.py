@@ -7,7 +7,7 @@ two inner discs meet first at the reach, or one at an end meets another, which i
 radius at which they meet is known in closed form.
 """
 
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -48,33 +48,47 @@ def thickest(trajectory):
     best = reach(trajectory)
     if trajectory.closed or trajectory.straight:
         return best
-    ends = [at_end(trajectory, end) for end in (0, 1)]
+    ends = at_ends(trajectory)
     least = min(ends, key=lambda found: found.radius)
     return least if least.radius < LESS * best.radius else best
 
 
-def at_end(trajectory, end):
-    """The least radius at which the disc at an end meets another."""
+def at_ends(trajectory):
+    """The least radii at which the discs at the start and at the end meet another: two Reach."""
     measure = arc_length(trajectory)
     grid = subdivided(measure.nodes, -(-CELLS // (len(measure.nodes) - 1)))
-    grid = grid[:-1] if end else grid[1:]
-    first = np.array([trajectory.domain[end]])
-    place, normal = trajectory.evaluate(first), trajectory.tangents(first, before=bool(end))
+    ends = np.array(trajectory.domain)
+    places, normals = trajectory.evaluate(ends), trajectory.tangents(ends)
+    normals[1:] = trajectory.tangents(ends[1:], before=True)
 
-    def radius(u):
-        return meeting(place, normal, trajectory.evaluate(u), trajectory.tangents(u))
+    def radius(u, end):
+        return meeting(places[end], normals[end], trajectory.evaluate(u), trajectory.tangents(u))
 
+    found = [dips(grid[1:], partial(radius, end=0)), dips(grid[:-1], partial(radius, end=1))]
+    end = np.repeat((0, 1), [len(u) for u, *_ in found])
+    u, values, low, high = (np.concatenate(part) for part in zip(*found, strict=True))
+    if len(u):  # in one search: of few places each step takes as long as of twice as many
+        closer, least = highest(lambda u: -radius(u, np.tile(end, len(u) // len(end))), low, high)
+        u, values, end = np.concatenate((closer, u)), np.concatenate((-least, values)), np.tile(end, 2)
+    return [nearest(u[end == side], values[end == side], ends[side]) for side in (0, 1)]
+
+
+def dips(grid, radius):
+    """Where a function of rising places (n,) is least beside its neighbours: places, values, and those beside."""
     values = radius(grid)
     beside = np.pad(values, 1, constant_values=np.inf)
-    dips = np.flatnonzero((values <= beside[:-2]) & (values <= beside[2:]) & np.isfinite(values))
-    dips = dips[np.argsort(values[dips], kind="stable")[:DIPS]]
-    if not len(dips):
+    found = np.flatnonzero((values <= beside[:-2]) & (values <= beside[2:]) & np.isfinite(values))
+    found = found[np.argsort(values[found], kind="stable")[:DIPS]]
+    low, high = grid[np.maximum(found - 1, 0)], grid[np.minimum(found + 1, len(grid) - 1)]
+    return grid[found], values[found], low, high
+
+
+def nearest(u, radii, end):
+    """The least of some radii, at parameters, at which the disc at an end meets another: a Reach."""
+    if not len(u):
         return Reach(np.inf)
-    low, high = grid[np.maximum(dips - 1, 0)], grid[np.minimum(dips + 1, len(grid) - 1)]
-    u, least = highest(lambda u: -radius(u), low, high)
-    u, least = np.concatenate((u, grid[dips])), np.concatenate((-least, values[dips]))
-    nearest = np.argmin(least)
-    return Reach(float(least[nearest]), tuple(sorted((float(first[0]), float(u[nearest])))))
+    least = np.argmin(radii)
+    return Reach(float(radii[least]), tuple(sorted((float(end), float(u[least])))))
 
 
 def meeting(place, normal, places, normals):
@@ -82,8 +96,8 @@ def meeting(place, normal, places, normals):
 
     Parameters
     ----------
-    place, normal : (1, 3) float array
-        The centre of the disc, and the unit normal of its plane.
+    place, normal : (1, 3) or (n, 3) float array
+        The centre of the disc, and the unit normal of its plane, or of as many discs.
     places, normals : (n, 3) float array
         Those of the others.
 
