@@ -62,12 +62,20 @@ class MeshBody(Body):
 
 
 class OffsetBody(Body):
-    """What a ball visits that moves over the surface of a solid, on its sides, and the solid."""
+    """What a ball visits that moves over the surface of a solid, on its sides, and the solid.
 
-    def __init__(self, shape):
-        self.body, self.radius, self.side = MeshBody(shape.body.mesh()), shape.radius, shape.side
-        out = 0.0 if shape.side is Side.INSIDE else shape.radius
-        self.box = self.body.box + np.array([[-out], [out]])
+    Parameters
+    ----------
+    body : member
+        With a ``distance``.
+    radius : float
+    side : Side
+    """
+
+    def __init__(self, body, radius, side):
+        self.body, self.radius, self.side = body, radius, side
+        out = 0.0 if side is Side.INSIDE else radius
+        self.box = body.box + np.array([[-out], [out]])
 
     def distance(self, points):
         """How far points (n, 3) are from the offset, or less, negative inside: (n,)."""

@@ -32,7 +32,6 @@ from .moving_solid import MovingSolid
 from .prisms import Meshed, Prism
 from .regions import region
 from .sheet import SheetBody
-from .smooth import Superdisc
 from .strands import Strands
 from .trees import PlacedMember, TreeMember
 
@@ -62,12 +61,12 @@ def planar(way_of):
 
 
 def translated(shape):
-    """A translational sweep; an upright one of lines and arcs has a distance of its own, one in its plane is flat."""
+    """A translational sweep; an upright one has the distance of its contour, one in its plane is flat."""
     if shape.within_plane:
         return SheetBody(shape.mesh())
     plane = MovingPlane(ways.of_translation(shape))
     upright = not shape.is_drafted and not np.any(shape.way[:2])
-    if upright and not isinstance(region(shape.contour), Superdisc | Strands):
+    if upright and not isinstance(region(shape.contour), Strands):
         low, high = shape.heights()[[0, -1]]
         return Prism(plane, region(shape.contour), -np.array(ways.reference_of(shape)), low, high)
     return Meshed(plane, lambda: MeshBody(shape.solid()))
@@ -79,11 +78,9 @@ def prism(contour, height):
 
 
 def drilled(block):
-    """A block less a cylinder."""
-    return TreeMember(
-        prism(Rectangle(block.width, block.depth), block.height),
-        [("difference", prism(Circle(block.radius), 2 * block.height))],
-    )
+    """A block with a round hole."""
+    x, y, hole = block.width / 2, block.depth / 2, [(block.radius, 0), (-block.radius, 0)]
+    return prism(Outline([[(-x, -y), (x, -y), (x, y), (-x, y)], hole], [(0, 0, 0, 0), (1, 1)]), block.height)
 
 
 def bracket(solid):
@@ -149,7 +146,10 @@ def canal(shape):
 
 def offset(shape):
     """What a ball visits around a solid; of a contour the flat region, its arcs as the mesh has them."""
-    return SheetBody(shape.mesh()) if shape.is_plane else OffsetBody(shape)
+    if shape.is_plane:
+        return SheetBody(shape.mesh())
+    with at("body"):
+        return OffsetBody(solid(shape.body), shape.radius, shape.side)
 
 
 def meshed(mesh):
