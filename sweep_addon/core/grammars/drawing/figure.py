@@ -28,10 +28,6 @@ class Figure:
     ----------
     start, end : (n, 3) float array
         The ends of each segment, in metres.
-    place : (n,) int array
-        The module of each segment in the word that the turtle walks: the interpreted one, in which a mark of a
-        generalized cylinder stands once for each of its segments.
-
     Examples
     --------
     >>> from sweep_addon.core.grammars import LSystem
@@ -45,13 +41,23 @@ class Figure:
     def __init__(self, walk, start, end, orientations):
         self.walk, self.orientations = walk, orientations
         self.moves_end = end
-        self.drawn = walk.is_drawn
-        whole = self.drawn.all()
-        self.start, self.end = (start, end) if whole else (start[self.drawn], end[self.drawn])
-        self.place = walk.moves if whole else walk.moves[self.drawn]
+        self.start, self.end = (start, end) if walk.whole else (start[self.drawn], end[self.drawn])
 
     def __len__(self):
         return len(self.start)
+
+    @property
+    def drawn(self):
+        """(m,) bool array: which moves of the turtle leave a segment."""
+        return self.walk.is_drawn
+
+    @cached_property
+    def place(self):
+        """(n,) int array: the module of each segment in the word that the turtle walks.
+
+        That is the interpreted one, in which a mark of a generalized cylinder stands once for each of its segments.
+        """
+        return self.walk.moves if self.walk.whole else self.walk.moves[self.drawn]
 
     @cached_property
     def at(self):

@@ -39,22 +39,25 @@ class Plane:
     def counted(self, left, right, sums=None):
         """(m,) int array: how often the turtle has turned left, and how often less right, on its way to each move."""
         walk, sense = self.walk, self.sense(left, right)
-        if len(walk.branches.brackets):
+        if walk.branched:
             return walk.branches.counts_at(walk.looked_up(sense), walk.moves, sums or Sums(walk.branches, walk.first))
-        found = np.empty(len(walk.moves), dtype=np.int32)
+        found = np.empty(walk.count, dtype=np.int32)
         for part, places, sums in self.blocks(sense):
             found[part] = sums.at(places)
         return found
 
     def blocks(self, sense):
         """Which moves are in each block of modules, where in it, and the sums of steps there; without branches."""
-        walk, before = self.walk, 0
-        edges = range(0, len(walk.symbols), BLOCK)
-        stops = np.searchsorted(walk.moves, [edge + BLOCK for edge in edges]).tolist()
-        for edge, begin, stop in zip(edges, [0, *stops], stops, strict=False):
-            sums = Running(walk.looked_up(sense, slice(edge, edge + BLOCK)), before)
-            before = sums.total
-            yield slice(begin, stop), walk.moves[begin:stop] - edge, sums
+        walk, before, begin = self.walk, 0, 0
+        for edge in range(0, len(walk.symbols), BLOCK):
+            part = slice(edge, edge + BLOCK)
+            places, sums = (
+                np.flatnonzero(walk.looked_up(walk.moving, part)),
+                Running(walk.looked_up(sense, part), before),
+            )
+            before, stop = sums.total, begin + len(places)
+            yield slice(begin, stop), places, sums
+            begin = stop
 
     def degrees(self, sums=None):
         """Angles, and which of them each move has; None where each has its own."""
@@ -90,7 +93,7 @@ class Plane:
 
     def ways(self, length, sums=None):
         """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
-        if self.by_bytes and len(self.walk.branches.brackets):
+        if self.by_bytes and self.walk.branched:
             walk = self.walk
             steps = walk.looked_up(self.sense("+", "-"))
             found, which = self.circle, walk.branches.counts_at(steps, walk.moves, sums, np.uint8)
@@ -115,16 +118,12 @@ class Plane:
 
         What is on the way to them stays in a processor's cache.
         """
-        count = len(self.walk.moves)
+        count = self.walk.count
         made = np.zeros((count + 1, 3))
-        on_the_way = np.zeros(BLOCK + 1, dtype=complex)
+        places = np.ndarray(count + 1, complex, made, strides=made.strides[:1])  # their x and y
         for part, ways in self.parts(length):
-            place = on_the_way[: part.stop - part.start + 1]
-            place[1:] = ways
-            np.cumsum(place, out=place)
-            part = slice(part.start + 1, part.stop + 1)
-            made[part, 0], made[part, 1] = place[1:].real, place[1:].imag
-            on_the_way[0] = place[-1]
+            ways[:1] += places[part.start]
+            np.cumsum(ways, out=places[part.start + 1 : part.stop + 1])
         return made[:-1], made[1:]
 
     def parts(self, length):

@@ -13,13 +13,7 @@ EACH = np.uint64(0x0101010101010101)
 WORD = np.dtype("<u8")  # whose lowest byte comes first on every machine
 
 
-def spread(bias):
-    """(256,) uint64 array: each byte eight times, less by 0 to 8 times a bias."""
-    numbers = np.arange(256)[:, None] - bias * np.arange(1, GROUP + 1)
-    return numbers.astype(np.uint8).view(WORD)[:, 0]
-
-
-BIASED = spread(0), spread(1)  # by whether steps may be -1
+WITHOUT = np.array([0, 0x0001020304050607], dtype=WORD)  # what leaves of steps and one each GROUP more than the steps
 
 
 class Running:
@@ -47,21 +41,25 @@ class Running:
     """
 
     def __init__(self, steps, before=0):
-        bias = int(steps.dtype != np.bool_)
-        padded = np.zeros(len(steps) // GROUP * GROUP + GROUP, dtype=np.uint8)  # with room for a last one
-        np.add(steps.view(np.uint8), np.uint8(bias), out=padded[: len(steps)])
+        bias, count = int(steps.dtype != np.bool_), len(steps)
+        padded = np.empty(count // GROUP * GROUP + GROUP, dtype=np.uint8)  # with room for a last one
+        padded[count:] = bias  # where nothing is added
+        np.add(steps.view(np.uint8), np.uint8(bias), out=padded[:count])
         within = padded.view(WORD)
-        np.multiply(within, EACH, out=within)
+        within *= EACH
+        within += WITHOUT[bias]
         self.before = np.empty(len(within) + 1, dtype=np.int32)  # each group
         self.before[0] = before
         np.subtract(padded[GROUP - 1 :: GROUP], GROUP * bias, out=self.before[1:], dtype=np.int32)
-        np.cumsum(self.before, out=self.before)
-        padded += BIASED[bias].take(self.before[:-1].astype(np.uint8)).view(np.uint8)
-        self.bytes = padded[: len(steps)]
+        np.cumsum(self.before, dtype=np.int32, out=self.before)
+        lifted = (self.before[:-1] - GROUP * bias).astype(np.uint8).astype(WORD)
+        lifted *= EACH
+        padded += lifted.view(np.uint8)
+        self.bytes = padded[:count]
 
     @property
     def total(self):
-        return int(self.at(np.array([len(self.bytes) - 1]))[0]) if len(self.bytes) else int(self.before[0])
+        return int(self.before[-1])
 
     def at(self, places):
         """(m,) int32 array: the whole sums at steps."""

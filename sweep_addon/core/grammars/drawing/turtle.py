@@ -21,12 +21,13 @@ from .bounding import bounded
 from .branches import Branches
 from .cylinders import MARKS, Cylinders, marked
 from .figure import Figure
-from .plane import Plane
+from .plane import BLOCK, Plane
 from .scaling import ANGLE, LENGTH, scaled
 from .sums import Sums
 from .tokens import LEVELS, SPATIAL, TURNS, Tokens
 
 DRAWS, SKIPS = ("F", "G"), ("f",)
+FEW = 4  # numbers of modules
 EDGE = re.compile("F[A-Za-z0-9]")  # edges of which there are several kinds, as Fl and Fr
 STARTS = {"x": (1 + 0j, 0j), "y": turns.rotation(2, 90.0), "z": turns.rotation(1, -90.0)}
 
@@ -61,17 +62,7 @@ class Walk:
         self.drawing, self.moving, self.stops = self.table(*drawn), self.table(*drawn, *SKIPS), list(stops)
         self.stops += self.numbers(*MARKS)
         self.moving[self.stops] = True
-        self.bytes = self.symbols.tobytes() if self.symbols.dtype == np.uint8 else None
-        brackets = np.flatnonzero(self.chosen(OPEN, CLOSE)) if self.numbers(OPEN) else np.zeros(0, dtype=np.intp)
-        self.branches = Branches(brackets, self.table(OPEN)[self.symbols[brackets]])
-        self.is_moving = self.looked_up(self.moving)
-        self.moves = np.flatnonzero(self.is_moving)
-        alike = np.array_equal(self.drawing, self.moving)
-        self.shown = self.is_moving if alike else self.looked_up(self.drawing)
-        if self.cylinders:
-            self.shown = self.shown & ~self.cylinders.hidden | self.cylinders.bends
-        whole = self.shown is self.is_moving
-        self.is_drawn = np.ones(len(self.moves), dtype=bool) if whole else self.shown[self.moves]
+        self.whole = not self.cylinders and np.array_equal(self.drawing, self.moving)
         nested = self.word.tables.nested
         self.regions = Regions(self.word.tables, self.word.state) if nested else None
         self.scale = self.regions.scales() if nested else None
@@ -80,6 +71,44 @@ class Walk:
         along = self.system.heading if upright is None else "z" if upright else "x"
         self.along = along or ("z" if self.spatial and self.named.get(OPEN) else "x")
         self.start = tuple(complex(part) for part in STARTS[self.along])
+
+    @cached_property
+    def branches(self):
+        brackets = np.flatnonzero(self.chosen(OPEN, CLOSE)) if self.branched else np.zeros(0, dtype=np.intp)
+        return Branches(brackets, self.table(OPEN)[self.symbols[brackets]])
+
+    @cached_property
+    def branched(self):
+        """Whether the word has brackets."""
+        return bool(self.numbers(OPEN)) and bool(self.chosen(OPEN).any())
+
+    @cached_property
+    def is_moving(self):
+        """(n,) bool array: which modules of the word move the turtle."""
+        return self.looked_up(self.moving)
+
+    @cached_property
+    def shown(self):
+        """(n,) bool array: which modules of the word leave a segment."""
+        if self.cylinders:
+            return self.looked_up(self.drawing) & ~self.cylinders.hidden | self.cylinders.bends
+        return self.is_moving if self.whole else self.looked_up(self.drawing)
+
+    @cached_property
+    def count(self):
+        """How many of them move the turtle."""
+        blocks = range(0, len(self.symbols), BLOCK)
+        return sum(int(np.count_nonzero(self.looked_up(self.moving, slice(at, at + BLOCK)))) for at in blocks)
+
+    @cached_property
+    def moves(self):
+        """(m,) int array: the modules that move the turtle."""
+        return np.flatnonzero(self.is_moving)
+
+    @cached_property
+    def is_drawn(self):
+        """(m,) bool array: which of the moves leave a segment."""
+        return np.ones(self.count, dtype=bool) if self.whole else self.shown[self.moves]
 
     @cached_property
     def first(self):
@@ -101,11 +130,22 @@ class Walk:
         return self.looked_up(self.table(*names, given=given))
 
     def looked_up(self, table, part=slice(None)):
-        """(n,) array: what a table of bytes holds for each module; `bytes` looks up five times as fast as NumPy."""
-        if self.bytes is None:
-            return table[self.symbols[part]]
-        whole = table.tobytes().ljust(256, b"\0")
-        return np.frombuffer(self.bytes[part].translate(whole), dtype=table.dtype)
+        """(n,) array: what a table of bytes holds for each module.
+
+        To compare all modules with a few numbers is quicker than to look them up, which `bytes` does in a fifth of the
+        time that NumPy takes.
+        """
+        symbols, numbers = self.symbols[part], np.flatnonzero(table).tolist()
+        if len(numbers) <= FEW:
+            found = None
+            for number in numbers:
+                here = (symbols == number).view(table.dtype)
+                here *= table[number]
+                found = here if found is None else np.add(found, here, out=found)
+            return np.zeros(len(symbols), dtype=table.dtype) if found is None else found
+        if symbols.dtype != np.uint8:
+            return table[symbols]
+        return np.frombuffer(symbols.tobytes().translate(table.tobytes().ljust(256, b"\0")), dtype=table.dtype)
 
     def parameter(self, places, default):
         """(n,) float array, or one number for all: the first parameter of modules, or the default where none is."""
@@ -126,16 +166,18 @@ class Walk:
 
     def figure(self):
         """The figure that is drawn."""
-        length = self.parameter(self.moves, self.system.step * scaled(self, LENGTH, self.moves))
+        length = self.system.step
+        if self.word.columns:
+            length = self.parameter(self.moves, length * scaled(self, LENGTH, self.moves))
         if self.regions:
             length = length * self.scale[self.moves]
         if self.stops:
             length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
-        bounded(length if np.ndim(length) else length * len(self.moves), np.sum, "go at most {} m in all")
+        bounded(length if np.ndim(length) else length * self.count, np.sum, "go at most {} m in all")
         sums = Sums(self.branches, self.first)
         if not self.spatial and self.along != "z":
             plane = Plane(self)
-            if np.ndim(length) or len(self.branches.brackets):
+            if np.ndim(length) or self.branched:
                 start, end = self.points(sums, plane.ways(length, sums))
             else:
                 start, end = plane.path(length)
@@ -155,7 +197,7 @@ class Walk:
     def points(self, sums, *ways):
         """Two (n, 3) float arrays: where moves begin and end that go ways, real ones along x or complex ones across."""
         found = [each for way in ways for each in zip(*map(parts, sums.of(way)), strict=True)]
-        count, branched = len(self.moves), bool(len(self.branches.brackets))
+        count, branched = self.count, self.branched
         made = np.empty((2, count, 3) if branched else (count + 1, 3))  # without branches each begins where one ends
         start, end = made if branched else (made[:-1], made[1:])
         start[:1], made[..., len(found) :] = 0, 0
