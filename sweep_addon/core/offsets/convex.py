@@ -11,6 +11,7 @@ from .sphere import spread
 
 ROUNDING = 1e-9  # of the size: what a corner may stick out of the plane of a face beside it
 DIGITS = 12  # of planes: those that differ in none are one
+NEAR = 0.71  # of a step: no direction of a dome is farther from one of its places, nor of a vertex that has one place
 SPECK = 1e-15  # of the solid's volume: less is rounding of what has gone
 AT_ONCE = 2**16  # products of directions and vertices: so few stay in a cache, and OpenBLAS takes one thread
 
@@ -39,13 +40,13 @@ def convex_offset(vertices, triangles, radius, step):
     corners = vertices[triangles]
     normals = unit(cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
     means, least = around_vertices(vertices, triangles, normals)
-    smooth = least >= np.cos(step / 2)  # one place stands for all those of its faces: hulls take time by their points
+    smooth = least >= np.cos(NEAR * step)  # one place stands for all of its faces: hulls take time by their points
     flat = (corners + radius * normals[:, None])[~smooth[triangles]]
     points = (
         vertices[smooth] + radius * means[smooth],
         flat,
         arcs(vertices, triangles, normals, radius, step, smooth),
-        domes(vertices, radius, step, (least < np.cos(step)).any()),
+        domes(vertices, radius, step, smooth) if (least < np.cos(step)).any() else flat[:0],
     )
     return arrays(hull_body(np.concatenate(points)))[:2]
 
@@ -84,12 +85,15 @@ def is_convex(vertices, triangles):
 
 
 def shared_edges(triangles):
-    """Both ends of each edge of a closed mesh, and the triangles to its left and to its right: (e, 4) int array."""
+    """Both ends of each edge of a closed mesh, and the triangles to its left and to its right: (e, 4) int array.
+
+    Edges rise by their ends, and each runs from its lower end.
+    """
     start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     face = np.repeat(np.arange(len(triangles)), 3)
     size = int(triangles.max()) + 1
-    order = np.argsort(np.minimum(start, end).astype(np.int64) * size + np.maximum(start, end), kind="stable")
-    left, right = order.reshape(-1, 2).T
+    keys = (np.minimum(start, end).astype(np.int64) * size + np.maximum(start, end)) * 2 + (start > end)
+    left, right = np.argsort(keys).reshape(-1, 2).T
     return np.stack((start[left], end[left], face[left], face[right]), axis=1)
 
 
@@ -117,11 +121,9 @@ def arcs(vertices, triangles, normals, radius, step, smooth):
     return np.concatenate(ends)
 
 
-def domes(vertices, radius, step, pointed):
-    """Places around vertices, if any is pointed: in directions spread over the sphere, each from the farthest one."""
-    if not pointed:
-        return np.zeros((0, 3))
+def domes(vertices, radius, step, smooth):
+    """Places around vertices that are not smooth: in directions spread over the sphere, each from the farthest one."""
     directions = spread(step)
     chunks = np.array_split(directions, len(directions) * len(vertices) // AT_ONCE + 1)
     farthest = np.concatenate([(chunk @ vertices.T).argmax(axis=1) for chunk in chunks])
-    return vertices[farthest] + radius * directions
+    return (vertices[farthest] + radius * directions)[~smooth[farthest]]

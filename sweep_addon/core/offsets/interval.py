@@ -82,9 +82,10 @@ def least(corners, squares):
 
 def enclosing(corners):
     """The radii of the smallest circles around triangles (t, 3, 3), in metres: (t,) float array."""
-    sides = np.roll(corners, -1, axis=1) - corners
-    squares = np.sort(dot(sides, sides), axis=1)
-    area = norms(cross(sides[:, 0], sides[:, 1]))
-    acute = squares[:, 2] < squares[:, 0] + squares[:, 1]
-    circle = np.sqrt(squares.prod(axis=1)) / np.where(acute, 2 * area, 1)
-    return np.where(acute, circle, np.sqrt(squares[:, 2]) / 2)
+    one, two = (corners[:, i] - corners[:, 0] for i in (1, 2))
+    a, b, c = (dot(side, side) for side in (one, two, two - one))
+    longest = np.maximum(np.maximum(a, b), c)
+    area = norms(cross(one, two))
+    acute = longest < a + b + c - longest
+    circle = np.sqrt(a * b * c) / np.where(acute, 2 * area, 1)
+    return np.where(acute, circle, np.sqrt(longest) / 2)

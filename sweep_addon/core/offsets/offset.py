@@ -255,7 +255,7 @@ def least_distances(vertices, triangles, radius, step):
 
     One is the sagitta in the smallest circle around it. The other holds for all: any direction in the cone of a vertex
     is at most 0.71 steps from one of its dome or from an edge of the cone, and that edge half a step from one of its
-    arc; of a vertex without a dome the cone is a step wide.
+    arc; a vertex without a dome has a place no farther than 0.71 steps from any.
     """
     sagitta = np.sqrt(np.maximum(radius**2 - enclosing(vertices[triangles]) ** 2, 0))
     return np.maximum(sagitta, radius * np.cos(1.5 * step))
