@@ -120,14 +120,19 @@ class Scaling(Change):
         found = np.where(np.abs(found) < self.flattest, np.copysign(self.flattest, found), found)
         return found if np.ndim(s) else found[0]
 
+    def back(self, places, s):
+        """Places (n, 3) as the solid itself has them, and the scales there: two (n, 3)."""
+        scales = np.broadcast_to(self.scales(s), places.shape)
+        return places / scales, scales
+
     def distance(self, solid, places, s, tolerance):
         """How far places (n, 3) are from the scaled solid, or less, but no less within a tolerance: (n,)."""
-        scales = np.broadcast_to(self.scales(s), places.shape)
+        own, scales = self.back(places, s)
         least = np.abs(scales).min(axis=1)
-        found = distant(solid, places / scales, self.box, APART * self.size)
+        found = distant(solid, own, self.box, APART * self.size)
         near = np.flatnonzero((least * np.abs(found) <= tolerance) & (least < np.abs(scales).max(axis=1)))
         if len(near):
-            steep = norms(slopes(solid, (places / scales)[near], DIFFERENCE * self.size) / scales[near])
+            steep = norms(slopes(solid, own[near], DIFFERENCE * self.size) / scales[near])
             least[near] = 1 / np.maximum(steep, 1 / np.abs(scales[near]).max(axis=1))
         return least * found
 

@@ -12,6 +12,7 @@ from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
 from ..declared.parameters import at, require, spelled
 from ..declared.wording import titled
+from ..rings.ends import Flat
 from ..shapes.canal_surface import BallEnd, CanalSurface
 from ..shapes.general_sweep import GeneralSweep
 from ..shapes.generalized_cylinder import GeneralizedCylinder
@@ -28,10 +29,12 @@ from .deformed import DeformedBody
 from .deforming import Deforming
 from .discs import DiscsBody
 from .moving_plane import MovingPlane
+from .moving_sheet import MovingSheet
 from .moving_solid import MovingSolid
 from .prisms import Meshed, Prism
 from .regions import region
 from .sheet import SheetBody
+from .sides import Sided
 from .strands import Strands
 from .trees import PlacedMember, TreeMember
 
@@ -107,9 +110,9 @@ def placed(shape):
 
 
 def moving(shape):
-    """A solid that moves, or a surface, which stands at both ends and is told by the mesh of what it visits."""
+    """A solid that moves, or a surface, which is the one of its mesh."""
     if member(shape.solid).is_sheet:
-        return meshed(shape.mesh())
+        return surface(shape.sweep(solids.Triangles.of(shape.solid.mesh())))
     rigid = shape.rigid
     turns = rigid.turn_x, rigid.turn_y, rigid.turn_z
     with at("solid"):
@@ -120,14 +123,24 @@ def general(shape):
     """A general sweep: of a planar figure by its plane, of a solid by the way back."""
     if isinstance(shape.generator, Contour | Region):
         return deformed(shape) if shape.motion.deforms else planar(ways.of_planar)(shape)
-    if len(shape.generator.mesh().boundary_edges()):  # a surface, which stands at both ends
-        return meshed(shape.mesh())
+    if len(shape.generator.mesh().boundary_edges()):
+        return surface(shape)
     if shape.motion.deforms:
         return VisitedBody(shape)
     with at("generator"):
         body = solid(shape.generator)
     change = None if shape.motion.scales == UNSCALED else Scaling(shape.motion, body.box)
     return MovingSolid(body, shape.motion, change)
+
+
+def surface(shape):
+    """The sweep of a surface, which stands at both ends."""
+    motion, mesh = shape.motion, shape.swept().generator
+    if motion.deforms or not all(isinstance(end, Flat) for end in (shape.start, shape.end)):
+        return meshed(shape.mesh())
+    sheet = Sided(mesh)
+    change = None if motion.scales == UNSCALED else Scaling(motion, sheet.box)
+    return MovingSheet(sheet, motion, motion.comes_back(mesh.vertices), change)
 
 
 def deformed(shape):
