@@ -9,15 +9,17 @@ library inside the extension, so that no module exists twice. Blender's user fol
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
 A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
 and hypothesis examples. ``SWEEP_BRIEF=1`` says that other hosts do the same at length: then fewer are drawn,
-and tests marked `thorough` are skipped.
+and tests marked `thorough` are skipped, but for one in ten of those that have so many cases.
 """
 
 import atexit
 import importlib.util
+import itertools
 import os
 import shutil
 import sys
 import tempfile
+from collections import Counter, defaultdict
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 
@@ -30,6 +32,7 @@ TEMPORARY = "sweep-tests-"  # how the name of a temporary user folder starts
 FULL = os.environ.get("SWEEP_FULL") == "1"
 BRIEF = os.environ.get("SWEEP_BRIEF") == "1" and not FULL
 LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)")
+KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
 THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python and in the real Blender")
 
 settings.register_profile("brief", deadline=None, database=None, derandomize=True, max_examples=10)
@@ -132,14 +135,49 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if not FULL and item.get_closest_marker("large"):
             item.add_marker(LARGE)
-        if BRIEF and item.get_closest_marker("thorough"):
+    if BRIEF:
+        for item in left_to_others([item for item in items if item.get_closest_marker("thorough")]):
             item.add_marker(THOROUGH)
+
+
+def left_to_others(thorough):
+    """The items that hosts leave out which are brief: all, but every tenth of a test that has ten cases or more."""
+    cases = Counter(map(test_of, thorough))
+    number = defaultdict(itertools.count)
+    for item in thorough:
+        test = test_of(item)
+        if cases[test] < KEPT or next(number[test]) % KEPT:
+            yield item
+
+
+def test_of(item):
+    """The test that an item is a case of; a case that is marked itself is a test of its own."""
+    singly = any(mark.name == "thorough" for mark in getattr(getattr(item, "callspec", None), "marks", ()))
+    return item.nodeid if singly else item.nodeid.partition("[")[0]
 
 
 @pytest.fixture
 def draws():
     """How many random inputs a test draws; where each takes long, it is a part of them."""
     return 1000 if FULL else 30 if BRIEF else 150
+
+
+MADE = {}  # meshes by their shapes
+
+
+@pytest.fixture
+def made_once(monkeypatch):
+    """Equal general sweeps have one mesh in all tests that ask for this; that of a preset takes ten seconds to make."""
+    from sweep_addon.core.shapes.general_sweep import GeneralSweep
+
+    make = GeneralSweep.mesh
+
+    def known(shape, dtype=float):
+        if shape not in MADE:
+            MADE[shape] = make(shape)
+        return MADE[shape].astype(dtype)
+
+    monkeypatch.setattr(GeneralSweep, "mesh", known)
 
 
 @pytest.fixture

@@ -70,6 +70,7 @@ def test_table_of_parameters_is_the_declaration(shape):
     assert table.strip() == markdown(shape)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("path", JOBS, ids=lambda path: path.stem)
 def test_job_behind_a_picture_makes_a_mesh_that_is_closed_unless_an_end_is_open(path):
     shape = job.read(path).shape

@@ -44,7 +44,7 @@ def test_presets_are_these_and_sizes_are_in_order():
 
 
 @pytest.mark.parametrize("preset", [pytest.param(p, id=p.name, marks=LONG.get(p.group, ())) for p in SOLID])
-def test_preset_is_a_job_for_a_closed_mesh_that_says_no_more_than_how_fine_it_is(preset):
+def test_preset_is_a_job_for_a_closed_mesh_that_says_no_more_than_how_fine_it_is(made_once, preset):
     understood = job.read(preset.path)
     mesh = understood.shape.mesh()
     assert understood.shape == presets.shape(preset.name)

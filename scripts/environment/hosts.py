@@ -28,6 +28,7 @@ class Result:
     host: str
     counts: Counts = Counts()
     seconds: float = 0.0
+    busy: float = 0.0  # seconds of a processor, which others on the machine do not change
     ran: str = ""  # which Python or Blender it was
     missing: str = ""  # why it could not run
 
@@ -35,12 +36,18 @@ class Result:
 def tried(name, host, arguments):
     """Run a host; one that cannot be had says why."""
     print(f"\n=== {name}: {host.__doc__}", flush=True)
-    start = time.monotonic()
+    start, before = time.monotonic(), spent()
     try:
         result = Result(name, host(arguments), ran=what_ran(name))
     except SetupError as error:
         result = Result(name, missing=str(error))
-    return replace(result, seconds=time.monotonic() - start)
+    return replace(result, seconds=time.monotonic() - start, busy=spent() - before)
+
+
+def spent():
+    """Seconds of processors in all processes that were started here and have ended."""
+    times = os.times()
+    return times.children_user + times.children_system
 
 
 def what_ran(name):
@@ -138,10 +145,10 @@ ALL = {
 
 def table(results, required):
     """The results as lines, and whether all is well: what could not run is loud, and a failure where required."""
-    print(f"\n{'host':<16}{'passed':>8}{'failed':>8}{'skipped':>9}{'seconds':>9}  what ran")
+    print(f"\n{'host':<16}{'passed':>8}{'failed':>8}{'skipped':>9}{'seconds':>9}{'CPU':>7}  what ran")
     for r in results:
         counts = ("NOT RUN", "", "") if r.missing else (r.counts.passed, r.counts.failed, r.counts.skipped)
-        print("{:<16}{:>8}{:>8}{:>9}{:>9.0f}  {}".format(r.host, *counts, r.seconds, r.ran))
+        print("{:<16}{:>8}{:>8}{:>9}{:>9.0f}{:>7.0f}  {}".format(r.host, *counts, r.seconds, r.busy, r.ran))
     missing = [r for r in results if r.missing]
     for r in missing:
         print(f"\n*** {r.host}: its tests were NOT run. {r.missing}")

@@ -63,7 +63,7 @@ OPEN = {"mixed_dimension", "plane_region", presets.GROWN}
 
 
 @pytest.mark.parametrize("name", tried(p.name for p in presets.PRESETS if p.group not in OPEN))
-def test_preset_is_closed_and_valid_wherever_it_stands(scene, name):
+def test_preset_is_closed_and_valid_wherever_it_stands(scene, made_once, name):
     assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
     ob = bpy.context.active_object
     assert ob.name == presets.title(name)

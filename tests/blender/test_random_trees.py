@@ -7,12 +7,12 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from conftest import FULL
+from conftest import BRIEF, FULL
 from scenes import shown
 
 import sweep_addon as sw
 
-TREES, POINTS, DEEPEST = 200 if FULL else 25, 400, 5
+TREES, POINTS, DEEPEST = 200 if FULL else 8 if BRIEF else 25, 400, 5
 BAND = 2e-3  # metres: the chord error of a circle of 0.6 m and 64 points is 7e-4
 
 

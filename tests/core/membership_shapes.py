@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes of all kinds, about a metre large, for tests of point membership; their meshes are 4 mm from them at most."""
 
+from functools import cache
 from math import pi
 
 import sweep_addon as sw
+from sweep_addon.core.csg.meshes import closed_mesh
+from sweep_addon.core.membership.bodies import MeshBody
 
 CHORD = 4e-3  # metres
 FINE = sw.sampling.Tolerance(5e-4)
@@ -178,3 +181,15 @@ SOLIDS = {
 }
 APART = (CORNERS, LAWS, FRAMES, CONTOURS, TRANSLATED, ROTATED, BENT, BALLS, MOVED, SOLIDS)
 SHAPES = {name: shape for kinds in (*APART, MEETING) for name, shape in kinds.items()}
+
+
+@cache
+def closed(name):
+    """The mesh that bounds the solid of a shape: it is made once for all tests."""
+    return closed_mesh(SHAPES[name])
+
+
+@cache
+def body(name):
+    """What tells the distance from that mesh, and on which side a point is."""
+    return MeshBody(closed(name))

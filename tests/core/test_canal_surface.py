@@ -274,6 +274,7 @@ def test_single_precision_is_the_same_surface():
     assert single.vertices.dtype == np.float32 and np.abs(double.vertices - single.vertices).max() < 1e-6
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", range(30))
 def test_random_canal_surfaces_are_closed_and_on_their_balls(seed):
     random = np.random.default_rng(seed)

@@ -77,6 +77,7 @@ def test_arcs_that_trim_each_other_end_where_they_cross():
     assert distances(places(outline), NOTCH) == pytest.approx(0.35, abs=1e-11)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("part", [0.02, 0.1, 0.3, -0.03])
 def test_real_outlines_are_offset_exactly(part):
     for number, given in enumerate(OUTLINES):

@@ -220,11 +220,12 @@ def spikes(points):
 
 
 def rings(count, sides):
-    return [k * ngon(sides, 1.0) for k in range(1, count + 1)]
+    return list(np.arange(1, count + 1)[:, None, None] * ngon(sides, 1.0))
 
 
 def specks(columns, rows):
-    return [ngon(3, 0.2, x - columns / 2, y - rows / 2) for x in range(columns) for y in range(rows)]
+    places = np.stack(np.meshgrid(np.arange(columns) - columns / 2, np.arange(rows) - rows / 2, indexing="ij"), axis=-1)
+    return list(ngon(3, 0.2) + places.reshape(-1, 1, 2))
 
 
 TOO_CLOSE = "must have at most 33,554,432 pairs of edges that lie beside each other, got "

@@ -92,6 +92,7 @@ def test_operations_on_primitives_give_random_outlines_back(drawn_by_chance, sam
         require_same_set(vertices, decomposition, seed, samples)
 
 
+@pytest.mark.thorough
 def test_signed_areas_of_primitives_are_the_area(real, drawn_by_chance):
     for outline, vertices, decomposition in real:
         require_same_area(vertices, decomposition)

@@ -86,7 +86,7 @@ def test_an_operand_that_crosses_itself_is_resolved_first():
     from math import pi
 
     spindle = sw.GeneralizedCylinder(
-        sw.contours.Circle(0.5, 64), sw.trajectories.Arc(0.3, 2 * pi), sw.sampling.Count(64)
+        sw.contours.Circle(0.5, 48), sw.trajectories.Arc(0.3, 2 * pi), sw.sampling.Count(48)
     )
     assert (spindle | spindle.moved(x=5)).mesh().volume() == pytest.approx(2 * 1.53774, rel=2e-2)
 

@@ -261,6 +261,7 @@ def test_area_true_is_the_volume_of_a_pill(samples, points):
     assert mesh.volume() == pytest.approx(np.pi * 0.75 * (2 + 4 / 3 * height), rel=1e-9)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contour", [Circle(0.5, 8), Ellipse(0.5, 0.2, 12), Rectangle(0.6, 0.3, 0.1)])
 @pytest.mark.parametrize("samples", [Count(6), Count(40), Tolerance(1e-2), Tolerance(1e-3)])
 def test_no_point_of_the_true_domes_is_outside_a_circumscribed_mesh(contour, samples):

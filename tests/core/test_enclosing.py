@@ -70,6 +70,7 @@ def winding(mesh, points, first):
     return np.concatenate(turns)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("first", [0, 1])
 def test_the_true_surface_lies_within_the_mesh(name, first):

@@ -274,6 +274,7 @@ def test_what_houdini_and_lpy_have_that_is_not_known_is_told_with_its_line(told,
     assert problem.source == told.splitlines()[line - 1]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "told",
     [

@@ -76,6 +76,7 @@ def test_any_mutation_of_a_grammar_is_one_or_refused(told, data):
 NAMES = "#names " + " ".join(f"nm{k}" for k in range(10_000)) + "\n"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "told",
     [
@@ -159,6 +160,7 @@ RUNAWAY = {  # text, generations
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", RUNAWAY)
 def test_a_runaway_derivation_is_stopped_in_time_and_memory(name):
     """Arrays of formulas and of contexts come on top of the budget, and what is a fixed number of blocks of them."""
@@ -203,6 +205,7 @@ class StoppedError(Exception):
     """What a progress raises to stop."""
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "told", [RUNAWAY["thousands of conditions"][0], "axiom: " + "A" * 100_000 + "\nB < A -> B" * 9000]
 )
@@ -266,6 +269,7 @@ def test_what_is_drawn_is_finite(told):
     assert (figure.width >= 0).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "told",
     [

@@ -310,6 +310,7 @@ def test_a_list_of_groups_is_bounded():
         LSystem.parse("#groups " + "1*9999 " * 10_000 + "\naxiom: A")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "rules",
     [

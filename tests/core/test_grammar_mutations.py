@@ -70,6 +70,7 @@ def test_any_mutation_of_any_dialect_is_read_and_written_or_refused(told, other,
 LONG = 400_000
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "told",
     [

@@ -210,6 +210,7 @@ def test_the_plane_in_which_an_open_trajectory_begins_is_one():
     assert (sw.classify(half, np.stack((2 + x, np.zeros(500), z), axis=1)) == 0).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("shape, most", [(BALL, 1.0), (SPINDLE, np.sqrt(0.45**2 - 0.3**2))])
 def test_points_on_the_axis_of_a_rotation_are_in(shape, most):
     """Every plane passes through them: by rule 2, Q on the contour of a half disc, they would be on."""

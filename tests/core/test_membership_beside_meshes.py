@@ -7,7 +7,7 @@ The judge of a mesh is the side of its nearest face (`sweep_addon.core.distance`
 
 import numpy as np
 import pytest
-from membership_shapes import APART, CHORD, SHAPES
+from membership_shapes import APART, CHORD, SHAPES, body
 
 import sweep_addon as sw
 from sweep_addon.core.csg.meshes import closed_mesh
@@ -29,20 +29,19 @@ MET = {
 }  # their meshes have vertices within, or near
 
 
-def compared(shape, count, seed=0):
+def compared(shape, mesh, count, seed=0):
     """The distances from the mesh's surface of points that are told otherwise by it, and how many are in."""
-    body = MeshBody(closed_mesh(shape))
-    low, high = body.box
+    low, high = mesh.box
     room = 0.02 * (high - low).max()
     points = np.random.default_rng(seed).uniform(low - room, high + room, (count, 3))
-    labels, distance = sw.classify(shape, points), body.distance(points)
+    labels, distance = sw.classify(shape, points), mesh.distance(points)
     return np.abs(distance[labels != np.where(distance < 0, 1, -1)]), int((labels == 1).sum())
 
 
 @pytest.mark.parametrize("count", [2_000, pytest.param(20_000, marks=pytest.mark.large)])
 @pytest.mark.parametrize("name", SHAPES)
 def test_a_shape_is_where_its_mesh_is(name, count):
-    off, inside = compared(SHAPES[name], count)
+    off, inside = compared(SHAPES[name], body(name), count)
     assert off.max(initial=0.0) < CHORD
     assert inside > count / 50
 
@@ -66,7 +65,7 @@ def presets():
 @pytest.mark.parametrize("preset", list(presets()))
 def test_a_preset_is_where_its_solid_is(preset):
     shape = sw.load(preset.path)
-    off, inside = compared(shape, 20_000)
+    off, inside = compared(shape, MeshBody(closed_mesh(shape)), 20_000)
     mesh = shape.mesh()
     chord = 5e-3 if preset.name.startswith(CELLS) else 2e-3
     assert off.max(initial=0.0) < chord * np.ptp(mesh.vertices, axis=0).max()

@@ -24,6 +24,7 @@ def points_about(shape, count, seed=0):
     return np.random.default_rng(seed).uniform(low, high, (count, 3))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("shape", [HELIX, SPINDLE, RING - sw.solids.Ball(0.4)])
 def test_labels_are_the_same_for_any_number_of_threads(shape, monkeypatch):
     points = points_about(shape, 250_000)

@@ -10,10 +10,9 @@ from functools import cache
 
 import numpy as np
 import pytest
-from membership_shapes import CHORD, SHAPES
+from membership_shapes import CHORD, SHAPES, body, closed
 
 import sweep_addon as sw
-from sweep_addon.core.csg.meshes import closed_mesh
 from sweep_addon.core.membership.bodies import MeshBody
 
 pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
@@ -25,10 +24,9 @@ POINTS, DEEPEST = 4_000, 5
 
 
 @cache
-def mesh(name):
-    """The closed mesh of a leaf, as an operand of its own: it is made once for all trees."""
-    made = closed_mesh(SHAPES[name])
-    return sw.solids.Triangles.of(made), made
+def operand(name):
+    """The closed mesh of a leaf as an operand of its own: it is made once for all trees."""
+    return sw.solids.Triangles.of(closed(name))
 
 
 def motion(rng):
@@ -42,10 +40,10 @@ def grown(rng, depth):
     """A random tree, the same of meshes, and its leaves with how these are placed."""
     if depth == 0 or rng.random() < 0.25 * (DEEPEST - depth) / DEEPEST:
         name = str(rng.choice(LEAVES))
-        low, high = mesh(name)[1].vertices.min(axis=0), mesh(name)[1].vertices.max(axis=0)
+        low, high = closed(name).vertices.min(axis=0), closed(name).vertices.max(axis=0)
         rows = motion(rng)
         rows[:, 3] -= rows[:, :3] @ (low + high) / 2
-        return sw.Placed(SHAPES[name], rows), sw.Placed(mesh(name)[0], rows), [(name, rows)]
+        return sw.Placed(SHAPES[name], rows), sw.Placed(operand(name), rows), [(name, rows)]
     (a, mesh_a, of_a), (b, mesh_b, of_b) = grown(rng, depth - 1), grown(rng, depth - 1)
     operation = rng.choice(["union", "difference", "intersection"], p=[0.5, 0.35, 0.15])
     tree, meshes = (sw.Tree(one, [(str(operation), other)]) for one, other in ((a, b), (mesh_a, mesh_b)))
@@ -61,7 +59,7 @@ def near_a_leaf(leaves, points):
     """How far points are from the nearest surface of a leaf's mesh: (n,)."""
     found = np.full(len(points), np.inf)
     for name, rows in leaves:
-        found = np.minimum(found, np.abs(MeshBody(mesh(name)[1]).distance((points - rows[:, 3]) @ rows[:, :3])))
+        found = np.minimum(found, np.abs(body(name).distance((points - rows[:, 3]) @ rows[:, :3])))
     return found
 
 
@@ -70,7 +68,7 @@ def test_a_tree_is_where_its_mesh_is(seed):
     rng = np.random.default_rng(seed)
     tree, meshes, leaves = grown(rng, DEEPEST if seed % 4 == 0 else 1 + seed % 4)
     made = meshes.mesh()
-    corners = np.concatenate([mesh(name)[1].vertices @ rows[:, :3].T + rows[:, 3] for name, rows in leaves])
+    corners = np.concatenate([closed(name).vertices @ rows[:, :3].T + rows[:, 3] for name, rows in leaves])
     low, high = corners.min(axis=0), corners.max(axis=0)
     points = rng.uniform(low, high, (POINTS, 3))
     labels = sw.classify(tree, points)

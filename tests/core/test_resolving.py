@@ -100,6 +100,7 @@ def test_spindle_has_its_closed_form_in_the_limit():
     assert fine.volume() + (fine.volume() - coarse.volume()) / 3 == pytest.approx(truth, rel=1e-3)  # second order
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("contour", [Circle(0.5, points=32), Rectangle(0.9, 0.9), Star()])
 def test_where_many_hulls_meet_in_a_point_no_face_is_a_sliver(contour):
     """On the axis of a spindle all of them do."""
@@ -131,6 +132,7 @@ JUDGED = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", JUDGED)
 def test_volume_is_that_of_all_places_visited(name):
     solid = JUDGED[name].solid()
@@ -158,6 +160,7 @@ def random_sweep(seed, samples):
     return GeneralizedCylinder(CONTOURS[seed % 5], path, Count(samples), twist=f"{2 * pi * dice.integers(-2, 3)}*t")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("count", "samples", "places"), [(5, 250, 5000), pytest.param(60, 800, 30_000, marks=pytest.mark.large)]
 )
@@ -175,6 +178,7 @@ def test_random_curves_have_the_volume_that_they_visit_but_for_the_judges_own_er
     assert np.abs(scores).max() < 4
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("count", [12, pytest.param(200, marks=pytest.mark.large)])
 def test_solids_of_random_curves_have_no_slivers(count):
     solids = 0

@@ -222,6 +222,7 @@ def test_of_random_curves_the_verdict_is_that_of_all_pairs_of_triangles(draws):
         assert "local" in kinds or set(crossing) <= set(faces_of(mesh.chart, places)), seed
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("seed", range(0, 60, 8))
 def test_up_to_the_largest_safe_size_a_sweep_is_clean_and_no_farther(seed):
     shape = random_shape(seed)

@@ -145,6 +145,7 @@ def test_rounded_faces_and_level_sets_agree(name, side):
         assert_between(solid, found)
 
 
+@pytest.mark.thorough
 def test_a_ball_larger_than_a_hole_closes_it():
     solid = HOLLOW["drilled block"]
     for engine in (Engine.ROUNDED_FACES, Engine.LEVEL_SET):
@@ -282,6 +283,7 @@ def test_a_rod_is_not_taken_for_a_surface():
     assert 400 * 2 * np.pi * 0.1 / 0.05**2 < len(band.cells) < 2 * 400 * 2 * np.pi * 0.1 / 0.05**2
 
 
+@pytest.mark.thorough
 def test_a_tolerance_that_a_ball_of_64_meridians_does_not_keep_is_kept_by_the_level_set_or_told():
     """A ball of 64 is cos(sqrt(2) pi / 64) of the radius within: 2.4e-3 of it off."""
     solid, radius = HOLLOW["bracket"], 0.3
@@ -326,6 +328,7 @@ def test_the_engine_and_its_bounds_are_told():
     assert "convex" in told
 
 
+@pytest.mark.thorough
 def test_a_radius_that_is_small_beside_the_cells_is_told_to_be():
     tube = GeneralizedCylinder(Circle(0.3, points=24), TorusKnot(2, 3, major=2.0, minor=0.8), Count(100)).mesh()
     found = offset(tube, 0.01, engine=Engine.LEVEL_SET)
