@@ -128,21 +128,24 @@ class Branches:
         steps[self.brackets[self.closing[1:]]] -= own
         return np.cumsum(steps, out=steps)
 
-    def counts_at(self, steps, places, sums, dtype=np.int32):
-        """The same at items alone: (m,) array; ``sums`` are those of the items. As uint8 that is modulo 256."""
-        counted = Running(steps)
-        at = counted.at if dtype == np.int32 else counted.bytes.take
-        found = at(places)
+    def counts_at(self, edges, found, sums):
+        """The same at items alone.
+
+        Parameters
+        ----------
+        edges, found : (b,) and (m,) array of one type
+            What the numbers add up to in the order of the word, at brackets and at items; ``found`` is written over.
+        sums : Sums
+            Those of the items.
+        """
         if len(self.brackets):
-            edges = np.zeros(len(self.order) + 1, dtype=dtype)
-            edges[1:-1], edges[-1:] = at(self.brackets), at(np.array([len(steps) - 1]))
-            own = np.zeros(len(self.starts), dtype=dtype)
-            np.add.at(
-                own, sums.branches_of, edges[1:] - edges[:-1]
-            )  # of one type, else that takes twenty times as long
-            back = np.zeros(len(self.order) + 1, dtype=dtype)
+            steps = np.zeros(len(self.order), dtype=found.dtype)  # of stretches; that of the last is not asked for
+            np.subtract(edges[1:], edges[:-1], out=steps[1:-1])
+            own = np.zeros(len(self.starts), dtype=found.dtype)
+            np.add.at(own, sums.branches_of, steps)  # of one type, else that takes twenty times as long
+            back = np.zeros(len(self.order) + 1, dtype=found.dtype)
             back[self.closing[1:] + 1] = own[1:]
-            found -= np.cumsum(back, dtype=dtype).take(sums.stretch)
+            found -= np.cumsum(back, dtype=found.dtype).take(sums.stretch)
         return found
 
     def previous(self, first):

@@ -67,7 +67,7 @@ class Figure:
     @cached_property
     def axes(self):
         """(n, 3, 3) float array: heading, left and up of the turtle on each segment."""
-        axes = turns.axes(*turns.taken(self.orientations(), self.drawn))
+        axes = turns.axes(*turns.taken(self.orientations(), np.flatnonzero(self.drawn)))
         cylinders = self.walk.cylinders
         return along(axes, self.end - self.start, cylinders.bends[self.place]) if cylinders else axes
 
@@ -132,20 +132,24 @@ class Figure:
     @cached_property
     def parent(self):
         """(n,) int array: the segment that each goes on from, or -1."""
-        return self.walk.branches.previous(self.walk.branches.first(self.walk.shown))
+        return self.walk.limbs.branches.previous(self.first)
 
     @cached_property
     def branch(self):
         """(n,) int array: the branch of each segment, the part of the word within one pair of brackets."""
-        branches = self.walk.branches
-        first = branches.first(self.walk.shown)
-        return np.repeat(branches.branch, np.diff(first))
+        return np.repeat(self.walk.limbs.branches.branch, np.diff(self.first))
+
+    @cached_property
+    def first(self):
+        """(b + 2,) int array: which segment is the first of each stretch of the limbs, and how many there are."""
+        first = self.walk.limbs.first
+        return first if self.walk.whole else np.append(0, np.cumsum(self.drawn)).take(first)
 
     @cached_property
     def follows(self):
         """(n,) bool array: whether each segment begins where its parent ends."""
         walk = self.walk
-        moved = walk.branches.previous(walk.first)[self.drawn]
+        moved = walk.limbs.branches.previous(walk.limbs.first)[self.drawn]
         found = (moved >= 0) & self.drawn[moved]
         if walk.cylinders:  # whose turtle moves between two curves, and draws nothing
             place = self.place

@@ -9,7 +9,6 @@ import numpy as np
 
 from . import turns
 from .running import Running
-from .sums import Sums
 
 WIDEST = 1 << 20  # headings in a table
 BLOCK = 1 << 15  # modules
@@ -36,35 +35,38 @@ class Plane:
         found[self.walk.numbers(right)] = -1
         return found
 
-    def counted(self, left, right, sums=None):
+    def counted(self, left, right):
         """(m,) int array: how often the turtle has turned left, and how often less right, on its way to each move."""
         walk, sense = self.walk, self.sense(left, right)
         if walk.branched:
-            return walk.branches.counts_at(walk.looked_up(sense), walk.moves, sums or Sums(walk.branches, walk.first))
+            return self.counted_in(walk.limbs, sense)
         found = np.empty(walk.count, dtype=np.int32)
         for part, places, sums in self.blocks(sense):
             found[part] = sums.at(places)
         return found
 
+    def counted_in(self, limbs, sense, dtype=np.int32):
+        """The same of a word with branches."""
+        counts = limbs.counts(sense, dtype)
+        return limbs.branches.counts_at(counts.take(limbs.branches.brackets), counts.take(limbs.moves), self.walk.sums)
+
     def blocks(self, sense):
         """Which moves are in each block of modules, where in it, and the sums of steps there; without branches."""
         walk, before, begin = self.walk, 0, 0
         for edge in range(0, len(walk.symbols), BLOCK):
-            part = slice(edge, edge + BLOCK)
-            places, sums = (
-                np.flatnonzero(walk.looked_up(walk.moving, part)),
-                Running(walk.looked_up(sense, part), before),
-            )
+            symbols = walk.symbols[edge : edge + BLOCK]
+            places = np.flatnonzero(walk.looked_up(walk.moving, symbols))
+            sums = Running(walk.looked_up(sense, symbols), before)
             before, stop = sums.total, begin + len(places)
             yield slice(begin, stop), places, sums
             begin = stop
 
-    def degrees(self, sums=None):
+    def degrees(self):
         """Angles, and which of them each move has; None where each has its own."""
         walk = self.walk
         if walk.turns_differ:
             return self.at_first + self.added(), None
-        count = self.counted("+", "-", sums)
+        count = self.counted("+", "-")
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
         if most - least > WIDEST:
             return self.at_first + count * walk.system.angle, None
@@ -81,9 +83,9 @@ class Plane:
         after = np.append(walk.branches.sums(given, walk.branches.first(chosen))[1], 0.0)
         return after[walk.branches.before(walk.moves, chosen)]
 
-    def headings(self, sums=None):
+    def headings(self):
         """Directions as complex numbers, and which of them each move has; None where each has its own."""
-        degrees, which = self.degrees(sums)
+        degrees, which = self.degrees()
         found = turns.unit(degrees)
         if self.halves is None:
             return found, which
@@ -91,14 +93,12 @@ class Plane:
             return found * (1 - 2 * self.halves), None
         return np.concatenate((found, -found)), which + len(found) * self.halves
 
-    def ways(self, length, sums=None):
+    def ways(self, length):
         """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
         if self.by_bytes and self.walk.branched:
-            walk = self.walk
-            steps = walk.looked_up(self.sense("+", "-"))
-            found, which = self.circle, walk.branches.counts_at(steps, walk.moves, sums, np.uint8)
+            found, which = self.circle, self.counted_in(self.walk.limbs, self.sense("+", "-"), np.uint8)
         else:
-            found, which = self.headings(sums)
+            found, which = self.headings()
         if np.ndim(length) or which is None:
             return length * (found if which is None else found.take(which))
         return (found * length).take(which)
@@ -120,7 +120,7 @@ class Plane:
         """
         count = self.walk.count
         made = np.zeros((count + 1, 3))
-        places = np.ndarray(count + 1, complex, made, strides=made.strides[:1])  # their x and y
+        places = made[:, :2].view(complex)[:, 0]
         for part, ways in self.parts(length):
             ways[:1] += places[part.start]
             np.cumsum(ways, out=places[part.start + 1 : part.stop + 1])

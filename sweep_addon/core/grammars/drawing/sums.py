@@ -54,27 +54,31 @@ class Sums:
         """The first item behind each branch but the stem."""
         return self.first.take(self.branches.closing[1:] + 1)
 
-    def of(self, values):
+    def of(self, values, out=None):
         """The sums before each item, and with it.
 
         Parameters
         ----------
         values : (n,) array
             Which the sums overwrite.
+        out : two (n,) arrays, optional
+            Where they are written instead.
 
         Returns
         -------
         two (n,) arrays
         """
-        before = np.zeros(len(values) + 1, dtype=values.dtype)
+        before, after = (np.empty_like(values), values) if out is None else out
         if not len(self.branches.brackets):
-            return before[:-1], np.cumsum(values, out=before[1:])
-        own = np.zeros(len(self.branches.starts), dtype=values.dtype)
-        np.add.at(own, self.branch, values)
-        back = before  # what the sum before an item has more than the way to it
-        np.add.at(back, self.behind, own[1:])
-        values -= back[:-1]
-        np.cumsum(values, out=values)
-        np.subtract(values, back[1:], out=before[1:])
-        before[0] = 0
-        return before[:-1], values
+            np.cumsum(values, out=after)
+            before[1:] = after[:-1]
+        else:
+            own = np.zeros(len(self.branches.starts), dtype=values.dtype)
+            np.add.at(own, self.branch, values)
+            back = np.zeros(len(values) + 1, dtype=values.dtype)  # what the sum before an item has more than its way
+            np.add.at(back, self.behind, own[1:])
+            values -= back[:-1]
+            np.cumsum(values, out=after)
+            np.subtract(after[:-1], back[1:-1], out=before[1:])
+        before[:1] = 0
+        return before, after

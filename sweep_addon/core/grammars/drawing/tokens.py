@@ -7,13 +7,8 @@ from functools import cached_property
 import numpy as np
 
 from . import turns
+from .limbs import ABOUT, CLOSES, LEVEL, MOVE, SPIN, TURNS
 from .scaling import ANGLE
-
-TURNS = {"+": (2, 1), "-": (2, -1), "&": (1, 1), "^": (1, -1), "\\": (0, -1), "/": (0, 1)}  # axis and sense
-ABOUT = "|"
-LEVELS = ("$", "@v")
-SPATIAL = ("&", "^", "\\", "/", *LEVELS)
-SPIN, MOVE, LEVEL = 1, 2, 3
 
 
 class Tokens:
@@ -25,33 +20,19 @@ class Tokens:
     """
 
     def __init__(self, walk):
-        self.walk = walk
-        kinds = np.zeros(len(walk.word.tables.symbols), dtype=np.uint8)
-        kinds[walk.numbers(*TURNS, ABOUT)] = SPIN
-        kinds[walk.numbers(*LEVELS)] = LEVEL
-        kinds[walk.moving[: len(kinds)]] = MOVE
-        whole = walk.looked_up(kinds)
-        if walk.regions:
-            whole = np.where(walk.regions.closing, 0, whole).astype(np.uint8)
-        chosen = whole > 0
-        places = np.flatnonzero(chosen)
-        kind = whole.take(places)
-        first = walk.branches.first(chosen)
-
-        new = np.zeros(len(places) + 1, dtype=bool)
-        new[first[:-1]] = True
-        new = new[:-1]
-        new[1:] |= (kind[:-1] == MOVE) | ((kind[:-1] == LEVEL) & (kind[1:] != MOVE))
-        numbered = np.empty(len(places) + 1, dtype=np.intp)
-        token = np.cumsum(new, out=numbered[:-1])
-        self.count = numbered[-1] = int(token[-1]) if len(places) else 0
+        self.walk, limbs = walk, walk.limbs
+        kind = limbs.kind
+        new = kind > CLOSES
+        new[1:] &= (kind[:-1] <= MOVE) | ((kind[:-1] == LEVEL) & (kind[1:] != MOVE))
+        token = np.cumsum(new)
+        self.count = int(token[-1]) if len(token) else 0
+        self.first = np.concatenate(([0], token.take(limbs.branches.brackets), [self.count]))
         token -= 1
-        self.first = numbered.take(first)
-        self.of_move = token.take(np.flatnonzero(kind == MOVE))  # a third of the time of a mask
+        self.of_move = token.take(limbs.moves)  # a third of the time of a mask
         self.is_level = np.zeros(self.count, dtype=bool)
         self.is_level[token.take(np.flatnonzero(kind == LEVEL))] = True
         spin = np.flatnonzero(kind == SPIN)
-        self.relative = turns.products_of_runs(*self.spins(places.take(spin)), token.take(spin), self.count)
+        self.relative = turns.products_of_runs(*self.spins(limbs.places.take(spin)), token.take(spin), self.count)
 
     def spins(self, places):
         """The rotations of modules: looked up where the angle is always the same."""
@@ -78,29 +59,16 @@ class Tokens:
         walk = self.walk
         if not self.count:
             return turns.empty(0)
-        parent = walk.branches.previous(self.first)
-        depth = walk.branches.sums(np.ones(self.count, dtype=np.int32), self.first)[0]
-        self.drawing = np.zeros(self.count, dtype=bool)
-        self.drawing[self.of_move[walk.drawing[walk.symbols[walk.moves]]]] = True
-        change = self.changed if walk.bends or walk.levels else None
-        z, w = turns.along_paths(self.relative, parent, depth, walk.start, change)
-        return z[self.of_move], w[self.of_move]
-
-    def changed(self, tokens, z, w):
-        """What rolling level does at tokens, and the tropism behind them."""
-        if self.walk.levels:
-            rolls = np.flatnonzero(self.is_level[tokens])
-            if len(rolls):
-                z[rolls], w[rolls] = turns.level(z[rolls], w[rolls])
-        if not self.walk.bends:
-            return (z, w), (z, w)
-        drawing = self.drawing[tokens]
-        if drawing.all():
-            return (z, w), turns.bent(z, w, *self.bend)
-        draws = np.flatnonzero(drawing)
-        left = z.copy(), w.copy()
-        left[0][draws], left[1][draws] = turns.bent(z[draws], w[draws], *self.bend)
-        return (z, w), left
+        branches = walk.limbs.branches
+        parent = branches.previous(self.first)
+        depth = branches.sums(np.ones(self.count, dtype=np.int32), self.first)[0]
+        levels, bends = self.is_level if walk.levels else None, None
+        if walk.bends:
+            bends = np.zeros(self.count, dtype=bool)
+            bends[self.of_move[walk.drawing[walk.symbols[walk.moves]]]] = True
+        return turns.along_paths(
+            self.relative, parent, depth, walk.start, self.of_move, levels, bends, self.bend if walk.bends else None
+        )
 
     @cached_property
     def bend(self):

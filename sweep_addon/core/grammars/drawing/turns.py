@@ -11,6 +11,7 @@ import numpy as np
 from ..deriving.neighbours import narrow
 
 LONG = 32  # rotations in a row that are multiplied one by one
+BLOCK = 1 << 12  # tokens
 FEW = 300  # tokens in a wave below which blocks of waves are quicker
 LEAST = np.finfo(float).tiny  # of the sine between a heading and a tropism, so that it divides
 UPRIGHT = 1e-12  # of the sine between heading and up, below which nothing is level
@@ -91,9 +92,22 @@ def products_of_runs(z, w, run, count):
 def level(z, w):
     """Roll about the heading until the left is level."""
     side = np.conj(z) ** 2 - w**2
-    size = np.abs(side)
-    half = np.sqrt(np.where(size < UPRIGHT, 1, side) / np.where(size < UPRIGHT, 1, size))
+    half = root(side.real, side.imag)
     return z * half, w * np.conj(half)
+
+
+def root(x, y):
+    """(n,) complex array: the square root of the direction of x + iy, 1 of none."""
+    size = np.sqrt(x * x + y * y)
+    none = size < UPRIGHT
+    if none.any():
+        x, y, size = np.where(none, 1, x), np.where(none, 0, y), np.where(none, 1, size)
+    longer = np.sqrt(0.5 + 0.5 / size * np.abs(x))
+    shorter = 0.5 / size * y / longer
+    found = np.empty(len(size), dtype=complex)
+    found.real = np.where(x < 0, np.abs(shorter), longer)
+    found.imag = np.where(x < 0, np.copysign(longer, y), shorter)
+    return found
 
 
 def bent(z, w, towards, ease):
@@ -109,8 +123,8 @@ def bent(z, w, towards, ease):
     return product(turn, (z, w))
 
 
-def along_paths(relative, parent, depth, start, change=None):
-    """The orientation at each token, of the rotations on its way from the root.
+def along_paths(relative, parent, depth, start, asked, levels=None, bends=None, bend=None):
+    """The orientation at tokens, of the rotations on their way from the root.
 
     Parameters
     ----------
@@ -122,33 +136,57 @@ def along_paths(relative, parent, depth, start, change=None):
         How many tokens are before it on its way.
     start : pair of complex
         The orientation at the root.
-    change : callable, optional
-        What happens at tokens beside their rotation: takes places and orientations, and returns the orientations at
-        the tokens and those that they leave.
+    asked : (m,) int array
+        Of which tokens it is asked for.
+    levels, bends : (n,) bool array, optional
+        Which of them roll level behind their rotation, and which leave another orientation than they have, bent.
+    bend : tuple, optional
+        By what, as `bent` takes it.
 
     Returns
     -------
-    pair of (n,) complex array
+    pair of (m,) complex array
     """
     if not len(parent):
         return relative
     waves = int(depth.max()) + 1
-    if change is None and len(parent) < FEW * waves:
-        return by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves))))
+    if levels is None and bends is None and len(parent) < FEW * waves:
+        return taken(by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves)))), asked)
     order, stops = np.argsort(narrow(depth), kind="stable"), np.cumsum(np.bincount(depth)).tolist()
     rank = np.empty(len(parent) + 1, dtype=np.intp)
     rank[order], rank[-1] = np.arange(len(parent)), len(parent)
-    above, relative = rank[parent[order]], taken(relative, order)  # so that each wave stands in a row
+    above = rank.take(parent.take(order))  # so that each wave stands in a row
+    levels, bends = (None if which is None else which.take(order) for which in (levels, bends))
     left = empty(len(parent) + 1)
-    found = left if change is None else empty(len(parent))
+    found = left if bends is None else empty(len(parent))
     left[0][-1], left[1][-1] = start
-    for wave in map(slice, [0, *stops], stops):
-        turned = product(taken(left, above[wave]), taken(relative, wave))
-        if change is not None:
-            turned, leaves = change(order[wave], *turned)
-            left[0][wave], left[1][wave] = leaves
-        found[0][wave], found[1][wave] = turned
-    return taken(found, rank[:-1])
+    for part in pieces(stops):
+        turned = product(taken(left, above[part]), taken(relative, order[part]))
+        if levels is not None:
+            turned = changed(level, levels[part], turned)
+        found[0][part], found[1][part] = turned
+        if bends is not None:
+            left[0][part], left[1][part] = changed(lambda z, w: bent(z, w, *bend), bends[part], turned)
+    return taken(found, rank.take(asked))
+
+
+def pieces(stops):
+    """Slices up to each stop, of which a processor keeps all that is on the way to their products."""
+    for start, stop in zip([0, *stops], stops, strict=False):
+        for begin in range(start, stop, BLOCK):
+            yield slice(begin, min(begin + BLOCK, stop))
+
+
+def changed(change, which, pair):
+    """A pair of which a function changes some."""
+    which = which.nonzero()[0]
+    if len(which) == len(pair[0]):
+        return change(*pair)
+    if not len(which):
+        return pair
+    found = pair[0].copy(), pair[1].copy()
+    found[0][which], found[1][which] = change(*taken(pair, which))
+    return found
 
 
 def by_blocks(relative, parent, depth, start, size):
@@ -177,4 +215,4 @@ def empty(count):
 
 
 def taken(pair, places):
-    return pair[0][places], pair[1][places]
+    return pair[0].take(places), pair[1].take(places)

@@ -21,13 +21,15 @@ from .bounding import bounded
 from .branches import Branches
 from .cylinders import MARKS, Cylinders, marked
 from .figure import Figure
+from .limbs import LEVELS, TURNS, Limbs
 from .plane import BLOCK, Plane
 from .scaling import ANGLE, LENGTH, scaled
 from .sums import Sums
-from .tokens import LEVELS, SPATIAL, TURNS, Tokens
+from .tokens import Tokens
 
 DRAWS, SKIPS = ("F", "G"), ("f",)
-FEW = 4  # numbers of modules
+FEW = 2  # numbers of modules
+SPATIAL = ("&", "^", "\\", "/", *LEVELS)
 EDGE = re.compile("F[A-Za-z0-9]")  # edges of which there are several kinds, as Fl and Fr
 STARTS = {"x": (1 + 0j, 0j), "y": turns.rotation(2, 90.0), "z": turns.rotation(1, -90.0)}
 
@@ -97,13 +99,15 @@ class Walk:
     @cached_property
     def count(self):
         """How many of them move the turtle."""
+        if self.branched:
+            return len(self.limbs.moves)
         blocks = range(0, len(self.symbols), BLOCK)
-        return sum(int(np.count_nonzero(self.looked_up(self.moving, slice(at, at + BLOCK)))) for at in blocks)
+        return sum(int(np.count_nonzero(self.looked_up(self.moving, self.symbols[at : at + BLOCK]))) for at in blocks)
 
     @cached_property
     def moves(self):
         """(m,) int array: the modules that move the turtle."""
-        return np.flatnonzero(self.is_moving)
+        return self.limbs.places.take(self.limbs.moves)
 
     @cached_property
     def is_drawn(self):
@@ -111,9 +115,8 @@ class Walk:
         return np.ones(self.count, dtype=bool) if self.whole else self.shown[self.moves]
 
     @cached_property
-    def first(self):
-        """(b + 2,) int array: which of the moves is the first of each stretch, and how many there are."""
-        return self.branches.first(self.is_moving)
+    def limbs(self):
+        return Limbs(self)
 
     def numbers(self, *names):
         """The numbers of all modules of these names."""
@@ -129,13 +132,13 @@ class Walk:
         """(n,) bool array: which modules of the word are of these names."""
         return self.looked_up(self.table(*names, given=given))
 
-    def looked_up(self, table, part=slice(None)):
-        """(n,) array: what a table of bytes holds for each module.
+    def looked_up(self, table, symbols=None):
+        """(n,) array: what a table of bytes holds for each module of the word, or for some symbols.
 
         To compare all modules with a few numbers is quicker than to look them up, which `bytes` does in a fifth of the
         time that NumPy takes.
         """
-        symbols, numbers = self.symbols[part], np.flatnonzero(table).tolist()
+        symbols, numbers = self.symbols if symbols is None else symbols, np.flatnonzero(table).tolist()
         if len(numbers) <= FEW:
             found = None
             for number in numbers:
@@ -174,18 +177,17 @@ class Walk:
         if self.stops:
             length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
         bounded(length if np.ndim(length) else length * self.count, np.sum, "go at most {} m in all")
-        sums = Sums(self.branches, self.first)
         if not self.spatial and self.along != "z":
             plane = Plane(self)
             if np.ndim(length) or self.branched:
-                start, end = self.points(sums, plane.ways(length, sums))
+                start, end = self.points(plane.ways(length))
             else:
                 start, end = plane.path(length)
             found = plane.quaternions
         else:
             pair = Tokens(self).orientations()
             x, yz = turns.heading(*pair)
-            start, end = self.points(sums, x * length, yz * length)
+            start, end = self.points(x * length, yz * length)
 
             def found():
                 return pair
@@ -194,18 +196,23 @@ class Walk:
             start, end = self.cylinders.shaped(self, start, end, found())
         return Figure(self, start, end, found)
 
-    def points(self, sums, *ways):
-        """Two (n, 3) float arrays: where moves begin and end that go ways, real ones along x or complex ones across."""
-        found = [each for way in ways for each in zip(*map(parts, sums.of(way)), strict=True)]
-        count, branched = self.count, self.branched
-        made = np.empty((2, count, 3) if branched else (count + 1, 3))  # without branches each begins where one ends
-        start, end = made if branched else (made[:-1], made[1:])
-        start[:1], made[..., len(found) :] = 0, 0
-        for column, (before, after) in enumerate(found):
-            if branched:
-                start[:, column] = before
-            end[:, column] = after
-        return start, end
+    def points(self, *ways):
+        """Two (m, 3) float arrays: where moves begin and end that go ways, real ones along x or complex ones across."""
+        made = np.zeros((2, self.count, 3) if self.branched else (self.count + 1, 3))
+        column = 0
+        for way in ways:
+            width = way.itemsize // made.itemsize
+            places = made[..., column : column + width].view(way.dtype)[..., 0]
+            if self.branched:
+                self.sums.of(way, places)
+            else:  # each begins where one ends
+                np.cumsum(way, out=places[1:])
+            column += width
+        return made if self.branched else (made[:-1], made[1:])
+
+    @cached_property
+    def sums(self):
+        return Sums(self.limbs.branches, self.limbs.first)
 
     @property
     def up(self):
@@ -227,8 +234,3 @@ class Walk:
     def levels(self):
         """Whether the word may have what rolls the turtle level."""
         return bool(self.numbers(*LEVELS))
-
-
-def parts(numbers):
-    """The real arrays that an array of numbers is made of."""
-    return (numbers.real, numbers.imag) if np.iscomplexobj(numbers) else (numbers,)
