@@ -133,8 +133,8 @@ class Loops:
         """
         start, end, arc = self.start[edge], self.end[edge], self.arcs[edge]
         along, way = end - start, points - start
-        share = dot(way, along)
-        line = (share >= 0) & (share <= dot(along, along))
+        share, squares = dot(way, along), dot(along, along)
+        line = (share >= 0) & (share <= squares) & (squares > 0)  # beside a single point nothing is
         if not arc.any():
             return line
         centre, left = self.centres[edge], self.bulges[edge] > 0

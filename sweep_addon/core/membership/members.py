@@ -12,6 +12,8 @@ from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
 from ..declared.parameters import at, require, spelled
 from ..declared.wording import titled
+from ..offsets.choices import Side
+from ..offsets.in_the_plane import require_closed
 from ..rings.ends import Flat
 from ..shapes.canal_surface import BallEnd, CanalSurface
 from ..shapes.general_sweep import GeneralSweep
@@ -21,7 +23,7 @@ from ..shapes.pd_curve_sweep import PDCurveSweep
 from ..shapes.rotational_sweep import RotationalSweep
 from ..shapes.translational_sweep import TranslationalSweep
 from ..variation.motion import UNDEFORMED, UNSCALED, Motion
-from . import ways
+from . import flat, ways
 from .balls import BallsBody
 from .bodies import BallBody, MeshBody, OffsetBody, VisitedBody
 from .changes import Scaling
@@ -66,13 +68,20 @@ def planar(way_of):
 def translated(shape):
     """A translational sweep; an upright one has the distance of its contour, one in its plane is flat."""
     if shape.within_plane:
-        return SheetBody(shape.mesh())
+        return within_plane(shape)
     plane = MovingPlane(ways.of_translation(shape))
     upright = not shape.is_drafted and not np.any(shape.way[:2])
     if upright and not isinstance(region(shape.contour), Strands):
         low, high = shape.heights()[[0, -1]]
         return Prism(plane, region(shape.contour), -np.array(ways.reference_of(shape)), low, high)
     return Meshed(plane, lambda: MeshBody(shape.solid()))
+
+
+def within_plane(shape):
+    """A translational sweep in the plane of its contour, at true lines and arcs."""
+    require(not shape.regularize, "must be off where no part is solid", shape.regularize, "regularize")
+    shape.sections()  # refuses what the mesh would
+    return flat.swept(shape.contour, *(shape.heights()[[0, -1], None] * shape.way[:2] - ways.reference_of(shape)))
 
 
 def prism(contour, height):
@@ -158,11 +167,19 @@ def canal(shape):
 
 
 def offset(shape):
-    """What a ball visits around a solid; of a contour the flat region, its arcs as the mesh has them."""
+    """What a ball visits around a solid, or a disc along a contour in its plane."""
     if shape.is_plane:
-        return SheetBody(shape.mesh())
+        return in_plane(shape)
     with at("body"):
         return OffsetBody(solid(shape.body), shape.radius, shape.side)
+
+
+def in_plane(shape):
+    """The offset of a contour, which must leave something."""
+    require_closed(shape.body)
+    if shape.side is Side.INSIDE:
+        shape.outline()  # refuses what the mesh would
+    return flat.banded(shape.body, shape.radius, shape.side)
 
 
 def meshed(mesh):

@@ -7,10 +7,13 @@ from functools import lru_cache
 import numpy as np
 
 from ..contours import Circle, Ellipse, Fit, Outline, Superellipse, all_fitted
+from ..later import later
 from ..meshes.runs import run_of
 from .loops import Loops
 from .smooth import Disc, Superdisc
 from .strands import Strands
+
+edges = later("core.contours.offsetting", "edges")
 
 SLOPED = 33  # places along each side where it is looked at how steep a formula is
 ROOM = 1.25  # for what is steeper between them
@@ -53,6 +56,15 @@ def region(contour):
     sections = [section for section in all_fitted(contour, Fit.INSCRIBED) if section]
     bounding = [section for section in sections if section.closed]
     return of_sections(bounding) if bounding else Strands.of_sections(sections)
+
+
+@lru_cache(maxsize=64)
+def curved(contour):
+    """The region of a closed contour, with an arc over each chord of its polygon where that stands for a curve."""
+    found, tops = region(contour), getattr(contour, "apexes", lambda: None)
+    if not isinstance(found, Loops) or found.arcs.any() or tops() is None:
+        return found
+    return Loops.of(*edges(contour))
 
 
 def of_sections(sections):

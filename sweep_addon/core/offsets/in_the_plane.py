@@ -44,11 +44,16 @@ def outline(contour, radius, side=Side.OUTSIDE, tolerance=0.0):
     >>> round(rounded.area - (2 + 6 * 0.5 + np.pi * 0.5**2), 9)
     0.0
     """
-    require(contour.section().closed, "must be closed, a solid or the boundary of an area", "an open one", "body")
+    require_closed(contour)
     amounts = {Side.OUTSIDE: (radius,), Side.INSIDE: (-radius,), Side.SHELL: (radius, -radius)}[side]
     found = boundary(contour, amounts)
     require(found, "must leave something of the area inside", radius, "radius")
     return replace(found, tolerance=tolerance)
+
+
+def require_closed(contour):
+    """Refuse an open contour, which bounds no area."""
+    require(contour.section().closed, "must be closed, a solid or the boundary of an area", "an open one", "body")
 
 
 def mesh(outline, dtype=np.float64):
