@@ -141,6 +141,7 @@ def only(types):
     return lambda group, ob: ob.type in types
 
 
+@cache
 def label(p):
     return p.name.replace("_", " ").title()
 

@@ -144,7 +144,7 @@ def seen_exact(ob, bare, others):
         mesh = part.data
         edges = len(mesh.edges)
         fits = len(mesh.loops) == 2 * edges > 0 and part.matrix_world.is_negative == mirrored
-        if not fits or is_plant(part):
+        if not fits or objects.is_grown(mesh):
             return why_exact(part, mirrored, seems_closed)
     return next(filter(None, (why_exact(part, mirrored, seems_closed) for part in others)), "")
 
@@ -202,9 +202,9 @@ def overlaps(ob):
 
 def lost_faces(ob):
     """What a person should know of a plant that no solver takes whole: its leaves; nothing for any other."""
-    if not is_plant(ob) or seems_closed(ob.data):
+    if seems_closed(ob.data) or not is_plant(ob):
         return ""
-    if not ob.data.polygons:
+    if len(ob.data.polygons) == 0:
         return f"{ob.name!r} is edges alone: it cuts nothing."
     return f"{ob.name!r} has open faces: leaves cut nothing, and where its tubes overlap the result is undefined."
 

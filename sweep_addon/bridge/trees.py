@@ -45,7 +45,7 @@ def is_lost(modifier):
 
 def is_empty(ob):
     """Whether nothing is left of a tree."""
-    return not ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
+    return len(ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices) == 0
 
 
 def others(ob):

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Frames against theorems: Bishop's on the helix, the holonomy of a knot, and what each frame is defined by."""
 
-from math import fsum, pi
+from math import fsum, hypot, pi
 
 import numpy as np
 import pytest
@@ -101,6 +101,16 @@ def test_a_helix_frame_lags_the_frenet_frame_by_its_total_torsion(samples):
     rise = 0.5 / (2 * pi)
     expected = -np.degrees(rise / np.hypot(1.0, rise)) * placed.u
     assert np.abs((spin(placed, e2, principal) - expected + 180) % 360 - 180).max() < 1e-12
+
+
+@pytest.mark.parametrize(("radius", "rise"), [(1e-4, 3.0), (3.0, -1e-4), (0.5, -0.5)])
+def test_a_steep_or_flat_helix_frame_lags_by_its_total_torsion(radius, rise):
+    helix = Helix(radius, 2 * pi * rise, 1.5)
+    placed = place(helix, Count(101))
+    normals, _ = rotation_minimizing(placed)
+    principal = np.stack((-np.cos(placed.u), -np.sin(placed.u), 0 * placed.u), axis=1)
+    expected = -np.degrees(rise / hypot(radius, rise)) * placed.u
+    assert np.abs((spin(placed, normals, principal) - expected + 180) % 360 - 180).max() < 1e-11
 
 
 @pytest.mark.parametrize("samples", [101, 401])

@@ -11,6 +11,7 @@ import pytest
 
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.formulas.expressions import compile
+from sweep_addon.core.stations.cells import bend
 from sweep_addon.core.stations.sampling import Tolerance, place
 from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
@@ -46,6 +47,25 @@ def inside(trajectory, count=40):
     joints = trajectory.joints()
     fraction = np.random.default_rng(2).uniform(0.01, 0.99, (len(joints) - 1, count))
     return (joints[:-1, None] + np.diff(joints)[:, None] * fraction).ravel()
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_points_and_derivatives_at_once_are_those_asked_for_one_by_one(name):
+    trajectory, u = EVERY[name], inside(EVERY[name])
+    points, first, second = trajectory.moving(u)
+    assert np.array_equal(points, trajectory.evaluate(u))
+    assert np.array_equal(first, trajectory.derivative(u)) and np.array_equal(second, trajectory.derivative(u, 2))
+
+
+@pytest.mark.parametrize(("radius", "rise"), [(2.0, 0.3), (0.01, 5.0), (7.0, 0.0)])
+def test_a_helix_bends_towards_its_axis_by_its_radius_over_the_square_of_its_speed(radius, rise):
+    trajectory = Helix(radius, 2 * pi * rise, 3.0) if rise else Arc(radius, 2.0)
+    u = np.linspace(*trajectory.domain, 50)
+    curvature = radius / (radius**2 + rise**2)
+    expected = -curvature * np.stack((np.cos(u), np.sin(u), 0 * u), axis=1)
+    assert np.abs(bend(trajectory, u) - expected).max() < 1e-15 * curvature
+    speed = np.linalg.norm(trajectory.derivative(u), axis=1)
+    assert np.abs(speed / trajectory.pace - 1).max() < 1e-15
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])

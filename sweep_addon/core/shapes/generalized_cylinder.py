@@ -274,12 +274,12 @@ class GeneralizedCylinder(Operand):
         reach = farthest(section, change) * along.largest
         least = ROUNDING * np.abs(rings[0]).max()
         require(reach >= least, f"must reach {least:.3g} m or more on this trajectory", reach, "contour")
-        backward = running_backward(stations, rings, centroid, np.any(offset))
+        backward = running_backward(stations, rings, centroid, any(map(np.any, offset)))
         if mirrored != backward:
             scale_x, rings[1] = -scale_x, -rings[1]
             change = change and change.mirrored
             section = change.sections[0] if change else section.mirrored
-        return Body(section, change, rings, np.stack((scale_x, scale_y), axis=1), points, backward, told)
+        return Body(section, change, rings, np.stack((scale_x, scale_y)).T, points, backward, told)
 
     def frames(self, most=100):
         """The frames and contours at places spread evenly along the trajectory.

@@ -103,17 +103,19 @@ def needed(extra, s, u, chord):
     return np.maximum(density[1:], density[:-1]) * np.diff(s)
 
 
-def bend(trajectory, u, before=False, first=None):
-    """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared.
+def bend(trajectory, u, before=False, first=None, second=None):
+    """Curvature vectors (n, 3) in 1/m: the part of p'' across p', over |p'| squared; all of it at an even pace.
 
     Where p' nearly vanishes, as beside a Bezier knot whose handle lies on it, rounding turns it, and with it a part of
-    p'' across: what is no more than that is no bend. First derivatives are computed unless given.
+    p'' across: what is no more than that is no bend. Derivatives are computed unless given.
     """
+    second = trajectory.derivative(u, 2, before) if second is None else second
+    if trajectory.pace:
+        return second / trajectory.pace**2
     first = trajectory.derivative(u, 1, before) if first is None else first
-    second = trajectory.derivative(u, 2, before)
     squared = dot(first, first)
     squared = np.where(squared > 0, squared, np.inf)
     across = second - (dot(first, second) / squared)[:, None] * first
-    noise = NOISE * np.abs(first).max(initial=0.0) * norms(second) / np.sqrt(squared)
-    across[norms(across) <= noise] = 0.0
+    noise = (NOISE * np.abs(first).max(initial=0.0)) ** 2 * dot(second, second) / squared
+    across[dot(across, across) <= noise] = 0.0
     return across / squared[:, None]

@@ -209,7 +209,7 @@ def axes(frame, stations, twist, symmetry=1):
         cosine, sine = np.cos(turned_by)[:, None], np.sin(turned_by)[:, None]
         e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
     else:
-        e2, e3 = normals.copy(), across.copy()  # others keep these
+        e2, e3 = normals.copy("K"), across.copy("K")  # others keep these
     if len(corners):
         e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
         e3[corners] = cross(stations.tangent[corners], e2[corners])

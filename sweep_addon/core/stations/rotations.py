@@ -36,7 +36,7 @@ def signed_angle(start, end, axis):
 def rotated(normals, axis, angle):
     """Turn unit normals about the unit axes they are perpendicular to."""
     if not angle.any():
-        return normals.copy()
+        return normals.copy("K")
     return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * cross(axis, normals)
 
 

@@ -11,7 +11,7 @@ from ..declared.frozen import individual
 from ..declared.parameters import Array, ShapeError, count, declared, length, parameter, require
 from ..later import later
 from ..trajectories.curve import SAME_DIRECTION, SHARPEST
-from ..vectors import differing, dot, norms, unit
+from ..vectors import differing, dot, norms, unit, zeros
 
 distinct, fewest = later("core.stations.spreading", "distinct", "fewest")
 spread, spread_evenly = later("core.stations.spreading", "spread", "spread_evenly")
@@ -133,7 +133,7 @@ class Stations:
     @cached_property
     def tangent(self):
         """The unit tangent e1: at a corner the bisector, in whose plane the contour is mitred."""
-        tangent = self.leave.copy()
+        tangent = self.leave.copy("K")
         tangent[self.corners] = unit(self.arrive[self.corners] + self.leave[self.corners])
         return tangent
 
@@ -210,23 +210,20 @@ def standing(trajectory, s):
 
 def stations(trajectory, s):
     """What the trajectory is like at arc lengths s."""
-    measure = arc_length(trajectory)
-    u = measure.parameter(s)
-    joints = trajectory.joints()
-    u = snapped(u, joints)
-    first = trajectory.derivative(u)
+    measure, joints = arc_length(trajectory), trajectory.joints()
+    u = snapped(measure.parameter(s), joints)
+    points, first, second = trajectory.moving(u)
     leave = trajectory.tangents(u, first=first)
-    reached = np.append(u[1:], trajectory.domain[1]) if trajectory.closed else u
-    entered, arrive = measure.entered(reached), np.roll(leave, -trajectory.closed, axis=0)
+    arrive, reached = leave.copy("K"), np.append(trajectory.domain[1], u[1:]) if trajectory.closed else u
+    entered = measure.entered(reached)
     joint = np.isin(reached, joints) | (entered != reached)
     arrive[joint] = trajectory.tangents(entered[joint], before=True)
-    arrive = np.roll(arrive, trajectory.closed, axis=0)
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
     for lost, other in ((leave, arrive), (arrive, leave)):  # a direction is lost where rounding outweighs the speed
-        gone = norms(lost) == 0
+        gone = zeros(lost)
         lost[gone] = other[gone]
-    bends = bend(trajectory, u, first=first)
+    bends = bend(trajectory, u, False, first, second)
     unlike = differing(arrive, leave)
     turn = leave[unlike] - arrive[unlike]
     back = dot(arrive[unlike], leave[unlike]) < SHARPEST
@@ -236,14 +233,18 @@ def stations(trajectory, s):
     seen = norms(turn) > SAME_DIRECTION
     corner = unlike[seen]
     # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature
-    bends[corner] += turn[seen] / np.gradient(s)[corner, None]
+    if len(corner):
+        bends[corner] += turn[seen] / np.gradient(s)[corner, None]
     arrive[unlike[~seen]] = leave[unlike[~seen]]
-    return Stations(trajectory, u, s, trajectory.evaluate(u), arrive, leave, bends, measure.total)
+    return Stations(trajectory, u, s, points, arrive, leave, bends, measure.total)
 
 
 def snapped(u, joints):
     """Parameters that rounding put beside a joint, put on it: a corner has a tangent on either side."""
-    near = joints[np.clip(np.searchsorted(joints, u), 1, len(joints) - 1) - 1]
-    far = joints[np.clip(np.searchsorted(joints, u), 0, len(joints) - 1)]
-    joint = np.where(np.abs(u - near) < np.abs(u - far), near, far)
-    return np.where(np.abs(u - joint) <= 1e-9 * (joints[-1] - joints[0]), joint, u)
+    least = 1e-9 * (joints[-1] - joints[0])
+    beside = np.flatnonzero(np.searchsorted(joints - least, u, "right") > np.searchsorted(joints + least, u))
+    found, snapped = u[beside], u.copy()
+    after = np.searchsorted(joints, found).clip(1, len(joints) - 1)
+    near, far = joints[after - 1], joints[after]
+    snapped[beside] = np.where(np.abs(found - near) < np.abs(found - far), near, far)
+    return snapped

@@ -132,7 +132,7 @@ def equalized(trajectory, ends, chord, grid, asked):
 def pieces(ends, steps, arc_lengths):
     """All stations of all pieces, each cut into its number of steps; the ends themselves are exact."""
     first = np.cumsum(steps) - steps
-    piece = np.repeat(np.arange(len(steps)), steps)
+    piece = np.repeat(np.arange(len(steps)), steps) if len(steps) > 1 else np.zeros(1, int)
     within = np.arange(steps.sum()) - first[piece]
     s = arc_lengths(piece, within / steps[piece])
     s[first] = ends[:-1]

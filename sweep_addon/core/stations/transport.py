@@ -17,7 +17,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..trajectories.arc_length import arc_length, subdivided
-from ..vectors import cross, dot, unit
+from ..vectors import cross, dot, norms, unit
 from .chebyshev import angles, counted, summed
 from .rotations import any_normal, rotated, signed_angle, turned
 
@@ -48,18 +48,24 @@ class Transport:
 
     def __init__(self, trajectory):
         self.start, self.end, self.axis, self.turning = panels(trajectory)
+        turn = self.met(trajectory) if trajectory.closed or len(self.start) > 1 else np.zeros(1)
+        self.turning = counted(self.turning, EXACT)
+        self.before = np.concatenate(([0.0], np.cumsum(turn[:-1])))
+        self.holonomy = float(turn.sum()) if trajectory.closed else 0.0
+
+    def met(self, trajectory):
+        """The angles from the first normal of each next panel to the one that is carried there, (k,)."""
         leave, arrive = trajectory.tangents(self.start), trajectory.tangents(self.end, before=True)
         carried = rotated(unit(cross(arrive, self.axis)), arrive, self.turning.sum(axis=0))  # every T(1) is 1
         onward = np.roll(np.arange(len(leave)), -1)
         carried = turned(carried, arrive, leave[onward])
-        turn = signed_angle(unit(cross(leave, self.axis))[onward], carried, leave[onward])
-        self.turning = counted(self.turning, EXACT)  # of a helix two terms are left
-        self.before = np.concatenate(([0.0], np.cumsum(turn[:-1])))
-        self.holonomy = float(turn.sum()) if trajectory.closed else 0.0
+        return signed_angle(unit(cross(leave, self.axis))[onward], carried, leave[onward])
 
     def at(self, u, tangents):
         """A normal across each tangent at parameters u, (n, 3), and the angle from it to that without spin, (n,)."""
-        panel = np.clip(np.searchsorted(self.start, u, side="right") - 1, 0, len(self.start) - 1)
+        panel = np.zeros(1, int)  # of which all arrays are made as long as those of u
+        if len(self.start) > 1:
+            panel = np.clip(np.searchsorted(self.start, u, side="right") - 1, 0, len(self.start) - 1)
         start, end = self.start[panel], self.end[panel]
         x = np.clip((2 * u - start - end) / (end - start), -1.0, 1.0)
         return unit(cross(tangents, self.axis[panel])), self.before[panel] + summed(self.turning[:, panel], x)
@@ -68,6 +74,8 @@ class Transport:
 def panels(trajectory):
     """Pieces short enough for a polynomial: their ends (k,) and (k,), axes (k, 3), and coefficients (ORDER + 1, k)."""
     joints = trajectory.joints()
+    if trajectory.axis:
+        return joints[:-1], joints[1:], *about(trajectory, joints[:-1], joints[1:])
     moving = np.diff(arc_length(trajectory).at(joints)) > 0
     nodes = subdivided(joints, 1 if trajectory.straight else -(-PANELS // len(moving)))
     start, end = (part.reshape(len(moving), -1)[moving].ravel() for part in (nodes[:-1], nodes[1:]))
@@ -108,6 +116,15 @@ def integrals(trajectory, start, end):
     turning = INTEGRAL @ (rate * half)
     near = (np.einsum("mij,mij->mi", tangent[1:], tangent[:-1]) >= NEAR).all(axis=0)
     return axis, turning, near & (np.abs(along) <= ACROSS).all(axis=0)
+
+
+def about(trajectory, start, end):
+    """The axes and the coefficients where the tangent turns evenly about one axis: phi' is the same everywhere."""
+    first, second, axis = trajectory.derivative(start), trajectory.derivative(start, 2), np.array([trajectory.axis])
+    across = cross(first, axis)
+    rate = -dot(first, axis) * dot(cross(first, second), axis) / (dot(across, across) * norms(first))
+    half = rate * (end - start) / 2
+    return np.repeat(axis, len(half), axis=0), np.stack((half, half))
 
 
 def integral():

@@ -4,10 +4,11 @@
 
 from math import pi, tau
 
-import numpy as np
-
 from ..declared.parameters import angle, declared, length
+from ..later import later
 from .curve import Trajectory
+
+turning = later("core.trajectories.turning", "turning")
 
 WHOLE = 2e-5  # radians: an arc this near to a full turn is one, as 6.2832 is meant to be
 
@@ -38,12 +39,17 @@ class Arc(Trajectory):
     def domain(self):
         return 0.0, tau if self.closed else self.angle
 
+    @property
+    def pace(self):
+        return self.radius
+
+    axis = (0.0, 0.0, 1.0)
+
     def evaluate(self, u):
         return self.derivative(u, 0)
 
     def derivative(self, u, order=1, before=False):
-        phase = np.asarray(u, dtype=float) + order * pi / 2
-        return self.radius * np.stack((np.cos(phase), np.sin(phase), np.zeros_like(phase)), axis=1)
+        return turning(self.radius, u, 0.0, order)[0]
 
-    def speeds(self, u, before=False):
-        return np.full(np.shape(u), self.radius)
+    def moving(self, u):
+        return turning(self.radius, u, 0.0, 0, 1, 2)

@@ -36,14 +36,24 @@ class ArcLength:
     total : float
         The length of the whole trajectory in metres.
     steady : bool
-        Whether quadrature has met one speed alone, as on lines, arcs and helices. Both ways are proportions then.
+        Whether there is one speed alone, as on lines, arcs and helices. Both ways are proportions then.
     """
 
     def __init__(self, trajectory):
         self.trajectory = trajectory
         joints = trajectory.joints()
-        start = subdivided(joints, max(4, -(-PANELS // (len(joints) - 1))))
-        start, end = start[:-1], start[1:]
+        parts = max(4, -(-PANELS // (len(joints) - 1)))
+        if trajectory.pace:
+            self.nodes = subdivided(joints, 2 * parts)
+            self.lengths, self.steady = trajectory.pace * (self.nodes - joints[0]), True
+        else:
+            self.add_up(subdivided(joints, parts))
+        self.total = float(self.lengths[-1])
+        require(self.total >= SHORTEST, f"must be at least {SHORTEST:g} m long", self.total)
+
+    def add_up(self, nodes):
+        """Find the lengths of the pieces between nodes, halved until that changes them no more."""
+        start, end = nodes[:-1], nodes[1:]
         speeds = self.met(start, end)
         pieces = (end - start) / 2 * (speeds @ WEIGHTS)
         kept, total, before = [], pieces.sum(), np.inf
@@ -63,11 +73,9 @@ class ArcLength:
         start, pieces = (np.concatenate(part) for part in zip(*kept, (start, pieces), strict=True))
         pieces[pieces <= STILL * pieces.sum()] = 0.0
         order = np.argsort(start)
-        self.nodes = np.append(start[order], joints[-1])
+        self.nodes = np.append(start[order], nodes[-1])
         self.lengths = np.concatenate(([0.0], np.cumsum(pieces[order])))
-        self.total = float(self.lengths[-1])
         self.steady = len(kept) == 1 and np.ptp(speeds) <= STEADY * speeds.max()
-        require(self.total >= SHORTEST, f"must be at least {SHORTEST:g} m long", self.total)
 
     def measure(self, start, end):
         """The arc length between pairs of parameters with no joint between them: two (n,) to (n,)."""

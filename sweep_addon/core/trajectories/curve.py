@@ -24,6 +24,10 @@ class Trajectory:
     ----------
     straight : bool
         Whether there is nothing but straight legs between the joints.
+    pace : float or None
+        The speed, in metres for each unit of u, where it is the same everywhere.
+    axis : tuple of three float, or None
+        A direction about which all tangents turn evenly, at one angle to it, where there is one.
     radii, tilts : Array
         What the curve itself scales the contour by and turns it by, in radians, at each of its points; empty: 1 and 0.
     too_sharp : (k,) int array
@@ -31,6 +35,7 @@ class Trajectory:
     """
 
     straight = False
+    pace = axis = None
     radii = tilts = NONE
     too_sharp = ()
 
@@ -88,9 +93,13 @@ class Trajectory:
         """Derivatives by u, (n, 3); where the curve has a corner, those before it or after it."""
         raise NotImplementedError
 
+    def moving(self, u):
+        """Points, first and second derivatives at parameters u: three (n, 3), with less work than each by itself."""
+        return self.evaluate(u), self.derivative(u), self.derivative(u, 2)
+
     def speeds(self, u, before=False):
         """How long the derivatives are at parameters u: (n,) to (n,)."""
-        return norms(self.derivative(u, 1, before))
+        return np.full(np.shape(u), self.pace) if self.pace else norms(self.derivative(u, 1, before))
 
     def joints(self):
         """Parameters between which the curve is smooth, both ends included: (k,) float array."""
@@ -142,8 +151,10 @@ class Trajectory:
         Where a derivative vanishes, as at a Bezier point whose handle lies on it, the next one gives the limit.
         First derivatives are computed unless given.
         """
-        scale = arc_length(self).total / (self.domain[1] - self.domain[0])
         tangents = self.derivative(u, 1, before) if first is None else first
+        if self.pace:
+            return tangents / self.pace
+        scale = arc_length(self).total / (self.domain[1] - self.domain[0])
         for order in (2, 3):
             vanishing = norms(tangents) < 1e-9 * scale
             if not vanishing.any():

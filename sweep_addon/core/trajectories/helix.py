@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A helical trajectory."""
 
-from math import hypot, pi, tau
-
-import numpy as np
+from math import hypot, tau
 
 from ..declared.parameters import declared, length, parameter, require
+from ..later import later
 from .curve import Trajectory
+
+turning = later("core.trajectories.turning", "turning")
 
 FLAT = 1e-6  # of the radius: less rise is none in single precision
 
@@ -40,14 +41,17 @@ class Helix(Trajectory):
     def domain(self):
         return 0.0, tau * self.turns
 
+    @property
+    def pace(self):
+        return hypot(self.radius, self.pitch / tau)
+
+    axis = (0.0, 0.0, 1.0)
+
     def evaluate(self, u):
-        u = np.asarray(u, dtype=float)
-        return np.stack((self.radius * np.cos(u), self.radius * np.sin(u), self.pitch * u / tau), axis=1)
+        return self.derivative(u, 0)
 
     def derivative(self, u, order=1, before=False):
-        phase = np.asarray(u, dtype=float) + order * pi / 2
-        rise = self.pitch / tau if order == 1 else 0.0
-        return np.stack((self.radius * np.cos(phase), self.radius * np.sin(phase), np.full(len(phase), rise)), axis=1)
+        return turning(self.radius, u, self.pitch / tau, order)[0]
 
-    def speeds(self, u, before=False):
-        return np.full(np.shape(u), hypot(self.radius, self.pitch / tau))
+    def moving(self, u):
+        return turning(self.radius, u, self.pitch / tau, 0, 1, 2)

@@ -40,5 +40,6 @@ class Line(Trajectory):
         direction = np.subtract(self.end, self.start) if order == 1 else np.zeros(3)
         return np.tile(direction, (len(u), 1))
 
-    def speeds(self, u, before=False):
-        return np.full(np.shape(u), dist(self.start, self.end))
+    @property
+    def pace(self):
+        return dist(self.start, self.end)

@@ -82,10 +82,10 @@ class Along:
                 values.append(law.evaluate(u, t, s))
                 most = 0.0 if isinstance(law, Constant) else float(np.abs(values[-1]).max(initial=0.0))
                 require(most <= LARGEST, f"must be at most {LARGEST:g} in size", most)
-        taper = np.ones_like(s)
+        taper = 1.0
         for length, left in zip(self.tapers, (s, measure.total - s), strict=True):
             if length:
-                taper *= np.clip(left / length, 0.0, 1.0)
+                taper = taper * np.clip(left / length, 0.0, 1.0)
         if self.trajectory.carries:
             radius, tilt = self.trajectory.carried(u)
             taper, values[2] = taper * radius, values[2] + tilt
