@@ -394,7 +394,7 @@ def test_a_moving_solid_may_be_moved_as_a_whole():
             lambda: sw.classify(BALL - sw.GeneralizedCylinder(start="open"), [(0, 0, 0)]),
             "steps.1.operand: must be a solid: a surface has no inside, got 'Generalized Cylinder'",
         ),
-        (lambda: sw.inverse_sweep(CANAL, [(0, 0, 0)]), "shape: must be the sweep of a contour that is not deformed"),
+        (lambda: sw.inverse_sweep(CANAL, [(0, 0, 0)]), "shape: must be the sweep of a contour, out of its plane, got "),
     ],
 )
 def test_what_has_no_inside_is_refused(ask, sentence):

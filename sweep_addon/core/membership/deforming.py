@@ -7,6 +7,8 @@ F is so nearly linear that from a cell's middle Newton's method finds the one pl
 no cell is so small: those that are left are asked from several places.
 """
 
+from functools import cached_property
+
 import numpy as np
 
 from ..declared.parameters import at, require
@@ -42,6 +44,8 @@ class Deforming:
     shape : GeneralSweep
     region : Still or Level
         Of the figure.
+    whole : bool
+        Whether all of the box around the figure is cut, or only what the figure reaches.
 
     Attributes
     ----------
@@ -53,9 +57,9 @@ class Deforming:
         Which are so nearly linear that a point has one place in them at most.
     """
 
-    def __init__(self, shape, region):
-        self.motion, self.region = shape.motion, region
-        measure = arc_length(shape.trajectory)
+    def __init__(self, shape, region, whole=False):
+        self.shape, self.motion, self.region, self.whole = shape, shape.motion, region, whole
+        self.measure = measure = arc_length(shape.trajectory)
         self.total = measure.total
         self.formulas = [compile(formula, PLACES) for formula in self.motion.formulas]
 
@@ -69,6 +73,11 @@ class Deforming:
         self.steps = STEP * np.append(np.ptp(region.box, axis=0), self.total)
         self.cut()
         self.size = float(norms(self.box[1] - self.box[0]))
+
+    @cached_property
+    def around(self):
+        """The same with all cells of the box around the figure."""
+        return Deforming(self.shape, self.region, whole=True)
 
     def places(self, q):
         """Where places (n, 3) of figure and way are: (n, 3)."""
@@ -128,7 +137,7 @@ class Deforming:
 
     def reached(self, middle, half):
         """Which cells the figure may reach: (k,) bool."""
-        if not self.region.is_still:
+        if self.whole or not self.region.is_still:
             return np.ones(len(middle), dtype=bool)
         return self.region.depth(middle[:, :2], middle[:, 2]) <= 1.001 * np.hypot(half[:, 0], half[:, 1])
 

@@ -8,11 +8,15 @@ from ..declared.frozen import individual
 from ..declared.parameters import require
 from ..declared.wording import titled
 from ..shapes.operand import Operand
-from .classify import rows_of_three
+from .classify import RELATIVE, rows_of_three
+from .deformed import CHUNK as PAIRS
+from .deformed import DeformedBody
+from .hash import portions
 from .members import member
 from .moving_plane import SAME, MovingPlane
 
 CHUNK = 1 << 20  # pairs of points and panels at a time
+ALIKE = 1e-6  # of the figure, and of the way: images of one point that are nearer are one
 
 
 @individual
@@ -51,19 +55,22 @@ def inverse_sweep(shape, points):
     Parameters
     ----------
     shape : a planar shape
-        Translational, rotational or PD curve sweep, generalized cylinder, or general sweep of a contour that is not
-        deformed; its ends and its contour may be open.
+        Translational, rotational or PD curve sweep, generalized cylinder, or general sweep of a contour; its ends and
+        its contour may be open.
     points : (n, 3) float array
         In metres.
 
     Returns
     -------
     Images
+        Wherever the plane passes through a point; of a contour that is deformed, those in the box around it. There the
+        deformed plane is meant, which may come by more than once at a time, and images nearer to each other than a
+        millionth of the contour and of the way count once.
 
     Raises
     ------
     ShapeError
-        For a shape that no plane sweeps.
+        For a shape that no contour sweeps out of its plane.
 
     Source
     ------
@@ -83,10 +90,15 @@ def inverse_sweep(shape, points):
     require(isinstance(shape, Operand), "must be a planar shape", shape, "shape")
     plane = member(shape)
     plane = getattr(plane, "plane", plane)
+    if isinstance(plane, DeformedBody):
+        return of_deformed(plane, points)
     of_plane = isinstance(plane, MovingPlane)
-    require(
-        of_plane, "must be the sweep of a contour that is not deformed, out of its plane", titled(type(shape)), "shape"
-    )
+    require(of_plane, "must be the sweep of a contour, out of its plane", titled(type(shape)), "shape")
+    return of_planes(plane, points)
+
+
+def of_planes(plane, points):
+    """The images of points (n, 3) in a `MovingPlane`."""
     whole = plane.panels.end.max() - plane.panels.start.min()
     smooth = np.flatnonzero(plane.panels.end > plane.panels.start)  # what goes on beyond a corner is no motion
     found, size = [], max(CHUNK // len(smooth), 1)
@@ -105,3 +117,34 @@ def inverse_sweep(shape, points):
     other = np.append(True, (np.diff(point) > 0) | (np.diff(parameter) > SAME * whole))[: len(point)]
     u = plane.way.parameter(parameter[other]) if plane.way.parameter else parameter[other]
     return Images(point[other], u, images[other])
+
+
+def of_deformed(body, points):
+    """The images of points (n, 3) in the box around the figure of a `DeformedBody`: roots of its map, each once."""
+    way = body.way.around
+    boxes, tolerance = way.boxes(0.0), RELATIVE * way.size
+    found = [(np.zeros(0, dtype=int), np.zeros((0, 3)), np.zeros(0))]
+    for some in portions(boxes.counts(boxes.cells(points)), PAIRS):
+        point, _, q, missed = way.back(points[some], boxes, tolerance)
+        found.append((point + some.start, q, missed))
+    point, q, missed = (np.concatenate(part) for part in zip(*found, strict=True))
+    if not body.ends:  # where a closed way ends it begins again
+        q[q[:, 2] >= way.total * (1 - SAME), 2] = 0.0
+    kept = distinct(point, q / np.append(np.ptp(way.region.box, axis=0), way.total), missed)
+    point, q = point[kept], q[kept]
+    order = np.lexsort((*q.T, point))
+    point, q = point[order], q[order]
+    return Images(point, way.measure.parameter(q[:, 2]), q[:, :2])
+
+
+def distinct(point, places, missed):
+    """Which places of each point, (n, 3), are not those of another that has missed it by less: (k,) int."""
+    order = np.lexsort((missed, point))
+    point, places = point[order], places[order]
+    first = np.searchsorted(point, point)
+    before = np.arange(len(point)) - first  # how many there are
+    later = np.repeat(np.arange(len(point)), before)
+    earlier = np.arange(len(later)) - np.repeat(np.cumsum(before) - before - first, before)
+    again = np.zeros(len(point), dtype=bool)
+    again[later[(np.abs(places[later] - places[earlier]) <= ALIKE).all(axis=1)]] = True
+    return order[~again]
