@@ -89,7 +89,7 @@ def test_it_ends_so_for_what_is_on_too(shape, tolerance, monkeypatch):
 
 def test_strands_nearer_than_the_tolerance_are_not_known_to_be_clean():
     """Turns of a helix whose tubes are 9 cm apart: with a tolerance as large a point may be on one and in the other."""
-    plane = members.member(HELIX).plane
+    plane = members.member(HELIX)
     far = 0.001
     distance = PITCH / np.hypot(1, PITCH / (tau * RADIUS)) - 0.4
     assert 2 * far < distance < 0.2

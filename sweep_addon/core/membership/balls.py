@@ -12,13 +12,12 @@ from ..vectors import dot, norms
 from .bodies import told
 from .hash import Boxes
 from .labels import ON, OUT
-from .panels import NODES, derivative, panels, powers, slopes
+from .panels import PLACES, derivative, panels, powers, slopes
 from .ways import PARTS, apart
 
 LOOKED = 65
 CHUNK = 1 << 14
 STEPS = 9
-PLACES = np.concatenate(([-1.0], NODES, [1.0]))
 ROOM = 1.2  # for what is faster between the places
 
 

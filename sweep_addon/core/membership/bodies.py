@@ -20,7 +20,7 @@ CHUNK = 1 << 15
 class Body:
     """A set of points told by a signed distance: ``distance(points)``, negative inside, and ``box``."""
 
-    is_sheet = False
+    is_sheet = overlaps = False
 
     def labels(self, points, tolerance):
         """IN, ON or OUT for points (n, 3): (n,) int8."""

@@ -102,7 +102,8 @@ class Scaling(Change):
 
         looked = np.abs(scales(np.linspace(0.0, measure.total, LOOKED)))
         require(looked.min(axis=1).max() > FLATTEST * looked.max(), "must not be 0 everywhere", 0.0, "scale_x")
-        self.flattest = FLATTEST * float(looked.max())
+        self.largest = float(looked.max())
+        self.flattest = FLATTEST * self.largest
         breaks = apart(measure.at(motion.trajectory.joints()), measure.total)
         self.panels = panels(scales, breaks, PARTS, np.full(3, looked.max()))
         half = ((self.panels.end - self.panels.start) / 2)[:, None, None]

@@ -6,8 +6,23 @@ import numpy as np
 
 from ..vectors import dot, norms
 from .labels import IN, ON, OUT
+from .way import Carried, Way
 
 TINY = 1e-9  # of the contour: less is the tip
+
+
+def as_sweep(dome, region, is_sheet):
+    """The way of a contour over the plane of an end that shrinks to the tip: its parameter is an angle."""
+
+    def carried(angle):
+        rising, shrunk = np.sin(angle), np.cos(angle)
+        drawn = (1 - shrunk)[:, None] * (dome.centre * dome.scales @ dome.axes)
+        middle = dome.middle + dome.height * rising[:, None] * dome.outward + drawn
+        up, x, y = (np.tile(axis, (len(angle), 1)) for axis in (dome.outward, *dome.axes))
+        return Carried(middle, up, x, y, shrunk[:, None] * dome.scales)
+
+    faces = (not is_sheet, True)
+    return Way(carried, np.array([0.0, np.pi / 2]), False, region.standing(dome.parameter), 4, faces=faces)
 
 
 def in_dome(dome, region, points, tolerance, is_sheet=False):

@@ -6,9 +6,14 @@ import numpy as np
 
 from ..meshes.runs import following
 from ..vectors import dot, norms, unit
+from .loops import Loops
+from .one_by_one import nearest_of_each
+from .regions import Still
+from .strands import Strands
 
 CHUNK = 1 << 18  # pairs of points and edges at a time
 STEP = 1e-6  # of the way: over which growth is taken
+ROOM = 1.1  # for what moves faster between the places that are looked at
 
 
 class Drawn:
@@ -29,7 +34,7 @@ class Drawn:
     """
 
     def __init__(self, at, offsets, looked, gaps=()):
-        self.at, self.ahead, self.ends = at, following(offsets), looked[[0, -1]]
+        self.at, self.offsets, self.ahead, self.ends = at, offsets, following(offsets), looked[[0, -1]]
         self.is_open, self.is_round = len(gaps) > 0, False
         self.ahead[list(gaps)] = gaps  # an edge without length
         points = at(looked).reshape(-1, 2)
@@ -48,6 +53,32 @@ class Drawn:
             some = slice(start, start + size)
             depth[some], outward[some] = nearest(points[some], self.at(parameters[some]), self.ahead)
         return (np.abs(depth), outward * np.where(depth < 0, -1, 1)[:, None]) if self.is_open else (depth, outward)
+
+    def distance(self, points, parameters):
+        """The same as the depth: (n,)."""
+        return self.mapped(points, parameters)
+
+    def mapped(self, points, parameters, maps=None):
+        """The same where maps (n, 2, 2) of the plane take all: (n,)."""
+        found, size = np.empty(len(points)), max(CHUNK // len(self.ahead), 1)
+        for start in range(0, len(points), size):
+            some = slice(start, start + size)
+            maps_of = None if maps is None else maps[some]
+            found[some] = nearest_of_each(self.at(parameters[some]), self.ahead, points[some], maps_of)
+        return np.abs(found) if self.is_open else found
+
+    def change(self, parameter, count, places):
+        """By how much the distance changes at most in half of each panel as the points move: (count,)."""
+        looked = parameter(np.repeat(np.arange(count), len(places)), np.tile(places, count))
+        points = self.at(looked).reshape(count, len(places), -1, 2)
+        return ROOM * (norms(np.diff(points, axis=1)).max(axis=2) / np.diff(places)).max(axis=1)
+
+    def standing(self, parameter):
+        """The region as it is at a parameter."""
+        points = self.at(np.array([parameter]))[0]
+        if self.is_open:
+            return Still(Strands(points, points[self.ahead], np.zeros(len(points))))
+        return Still(Loops.of(points, self.offsets, np.zeros(len(points))))
 
     def growth(self, points, parameters):
         """How fast the distance grows as the parameter does, where points stay: (n,)."""

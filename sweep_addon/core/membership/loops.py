@@ -21,11 +21,11 @@ from ..meshes.runs import following
 from ..vectors import dot, norms, unit
 from .hash import portions
 from .lattice import lattice
+from .one_by_one import nearest_of
 
 CHUNK = 1 << 18  # pairs of points and edges at a time
 LEAST = 1e-300  # keeps quotients of an edge without length finite
 CUSP = 2e-3  # radians that drawings of three decimals may miss a tangent by
-FEW = 32  # edges: so many are quicker one after the other than in pairs
 
 
 @individual
@@ -219,44 +219,8 @@ class Loops:
         return depth
 
     def distance(self, x, y):
-        """How far places x (n,) and y (n,) are from the boundary, negative inside: (n,).
-
-        Inside is where a ray along x crosses an odd number of chords, and again what is between an arc and its chord.
-        """
-        if len(self.start) > FEW:
-            return self.exact(np.stack((x, y), axis=1))[0]
-        least, inside = np.full(len(x), np.inf), np.zeros(len(x), dtype=bool)
-        for edge, ((a, b), (c, d)) in enumerate(zip(self.start.tolist(), self.end.tolist(), strict=True)):
-            along, up, right, above = c - a, d - b, x - a, y - b
-            if up == 0:
-                left_of = (above >= 0) == (along > 0)
-            else:
-                left_of = along * above - up * right > 0
-                inside ^= ((above >= 0) != (y >= d)) & (left_of == (up > 0))
-            if self.arcs[edge]:
-                far, between = self.from_arc(edge, x, y, left_of, right * right + above * above)
-                inside ^= between
-            else:
-                share = (right * along + above * up) * (1 / max(along * along + up * up, LEAST))
-                share = np.minimum(np.maximum(share, 0.0, out=share), 1.0, out=share)
-                right -= share * along
-                above -= share * up
-                far = right * right + above * above
-            np.minimum(least, far, out=least)
-        return np.where(inside, -1.0, 1.0) * np.sqrt(least)
-
-    def from_arc(self, edge, x, y, left_of, start):
-        """The square of how far places are from an arc or its start, and whether they are between it and its chord.
-
-        ``left_of`` tells which are on the left of the chord, ``start`` the square of how far they are from its start.
-        """
-        (cx, cy), radius, left = self.centres[edge].tolist(), float(self.radii[edge]), self.bulges[edge] > 0
-        (a, b), (c, d) = (self.start[edge], self.end[edge]) if left else (self.end[edge], self.start[edge])
-        px, py = x - cx, y - cy
-        after, ahead = (a - cx) * py - (b - cy) * px >= 0, px * (d - cy) - py * (c - cx) >= 0
-        beside = after & ahead if abs(self.bulges[edge]) <= 1 else after | ahead
-        off = np.sqrt(px * px + py * py) - radius
-        return np.where(beside, np.minimum(off * off, start), start), (off < 0) & (left_of != left)
+        """How far places x (n,) and y (n,) are from the boundary, negative inside: (n,)."""
+        return nearest_of(self, x, y)
 
     @cached_property
     def lattice(self):

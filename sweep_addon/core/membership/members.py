@@ -60,7 +60,7 @@ def planar(way_of):
     """What makes the member of a planar shape from its way."""
 
     def made(shape):
-        return Meshed(MovingPlane(way_of(shape)), lambda: MeshBody(shape.solid()))
+        return MovingPlane(way_of(shape))
 
     return made
 
@@ -74,7 +74,7 @@ def translated(shape):
     if upright and not isinstance(region(shape.contour), Strands):
         low, high = shape.heights()[[0, -1]]
         return Prism(plane, region(shape.contour), -np.array(ways.reference_of(shape)), low, high)
-    return Meshed(plane, lambda: MeshBody(shape.solid()))
+    return plane
 
 
 def within_plane(shape):

@@ -17,24 +17,24 @@ import numpy as np
 
 from ..vectors import dot, norms
 from .corners import with_corners
-from .domes import in_dome
+from .domes import as_sweep, in_dome
 from .hash import Boxes, Capsules, portions
 from .labels import IN, ON, OUT, TOUCHED, joined
-from .panels import NODES, ORDER, at_both, derivative, panels, powers, slopes
+from .panels import PLACES, derivative, panels, powers, slopes
+from .plane_distance import PlaneDistance
 from .planes import MIDDLE, NORMAL, SCALES, SPACE, Planes, X, Y, off
+from .reach import chords
 
 LOOKED = 65  # places where it is looked at how large everything is
 CHUNK = 1 << 15  # pairs of points and panels, and points, that fit into a processor's cache
 FINE = 6  # cells of the lattice in the side of a box
-PLACES = np.concatenate(([-1.0], NODES, [1.0]))
-STRETCHED = 1.02  # for what is stretched more between these
 SAME = 1e-9  # of the whole: parameters nearer than this are one
 NEAR = 30.0  # tolerances in the contour's plane: nearer to its boundary the distance from the surface is asked for
 ROUNDING = 1e-12  # of the size
 FOLD = 4.0  # tolerances: what is around a point is looked at not so far out
 UNCHANGED = 1e-10  # of its size: what stays so is the same
 SOME = 1 << 12  # pairs, for which it is worth knowing whether the sweep meets itself
-FAR, LEAST = 1e150, 1e-300
+FAR = 1e150
 
 
 class MovingPlane:
@@ -50,7 +50,11 @@ class MovingPlane:
         Its least and greatest places, or a little more.
     is_sheet : bool
         Whether it is a surface without an inside, as the contour or an end is open.
+    overlaps : bool
+        Whether places within it may be told to have no distance from the boundary, as it may meet itself there.
     """
+
+    overlaps = True
 
     def __init__(self, way):
         self.way, self.region, self.hashes, self.known = way, way.region, {}, {}
@@ -99,23 +103,28 @@ class MovingPlane:
 
     @cached_property
     def capsules(self):
-        """Chords about which the contour stays in each panel: their starts, ways, and how far it gets from them.
-
-        The box around the contour turns and stretches by what its sides do, and its middle leaves the chord by no more
-        than what is not straight in its series.
-        """
-        space = self.panels.series[:, SPACE].reshape(-1, 4, 3, ORDER)
-        middle, (width, height) = space.mean(axis=1), np.ptp(self.region.box, axis=0)
-        sides = np.einsum("kscj,ij->ksic", space[:, [1, 3]] - space[:, :1], powers(PLACES))
-        u, v = sides[:, 0] / max(width, LEAST), sides[:, 1] / max(height, LEAST)
-        uu, vv, uv = dot(u, u), dot(v, v), dot(u, v)
-        stretch = np.sqrt((uu + vv + np.sqrt((uu - vv) ** 2 + 4 * uv**2)) / 2).max(axis=1)
-        bent = 2 * norms(middle[..., 2:].swapaxes(1, 2)).sum(axis=1)
-        start, end = at_both(middle)
-        return start, end - start, STRETCHED * stretch * self.region.radius + bent
+        """Chords about which the contour stays in each panel."""
+        return chords(self.panels, self.region)
 
     def labels(self, points, tolerance):
         """IN, ON, OUT, or TOUCHED where a neighbourhood decides, for points (n, 3): (n,) int8."""
+        labels = self.swept(points, tolerance)
+        for dome in self.way.domes:
+            labels = joined(labels, in_dome(dome, self.region, points, tolerance, self.is_sheet))
+        return np.where(labels == TOUCHED, ON, labels) if self.is_sheet else labels
+
+    def distance(self, points):
+        """How far points (n, 3) are from the boundary, or a fair part of that, negative inside, or less: (n,)."""
+        return np.minimum.reduce([part(points) for part in self.distances])
+
+    @cached_property
+    def distances(self):
+        """What tells the distance of the sweep and of its round ends."""
+        domes = [MovingPlane(as_sweep(dome, self.region, self.is_sheet)) for dome in self.way.domes]
+        return PlaneDistance(self), *(dome.distance for dome in domes)
+
+    def swept(self, points, tolerance):
+        """The labels without the round ends."""
         boxes, labels = self.hash(tolerance), np.full(len(points), OUT, dtype=np.int8)
         cell = boxes.cells(points)
         counts = boxes.counts(cell)
@@ -123,9 +132,7 @@ class MovingPlane:
         for some in portions(counts[asked], CHUNK):
             which = asked[some]
             labels[which] = self.of_planes(points[which], *boxes.pairs(cell[which]), tolerance)
-        for dome in self.way.domes:
-            labels = joined(labels, in_dome(dome, self.region, points, tolerance, self.is_sheet))
-        return np.where(labels == TOUCHED, ON, labels) if self.is_sheet else labels
+        return labels
 
     def of_planes(self, points, point, panel, tolerance):
         """The labels of so few points that all pairs with panels fit into memory, domes left out."""
@@ -216,7 +223,7 @@ class MovingPlane:
         depth = self.region.depth(images, parameter) * scales.min(axis=1)
         near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
         if len(near):
-            depth[near] = self.distance(places[near], panel[near], x[near], images[near], parameter[near])
+            depth[near] = self.from_surface(places[near], panel[near], x[near], images[near], parameter[near])
         depth[(norms(raw) <= tolerance) & (scales.max(axis=1) * self.reach <= tolerance * self.widest)] = 0.0  # a tip
         return depth
 
@@ -236,7 +243,7 @@ class MovingPlane:
         """Where the contour's origin is in each panel: (k, 3, ORDER)."""
         return np.ascontiguousarray(self.panels.series[:, MIDDLE])
 
-    def distance(self, places, panel, x, images, parameter):
+    def from_surface(self, places, panel, x, images, parameter):
         """How far hits near the contour's boundary are from the surface, to first order: (n,).
 
         The surface is where the contour's own distance f of the image Q vanishes. Where the plane passes through a

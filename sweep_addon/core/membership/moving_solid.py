@@ -15,7 +15,7 @@ import numpy as np
 
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .labels import IN, ON, OUT
+from .labels import IN, ON, OUT, decided
 from .panels import NODES, derivative, panels, powers
 from .ways import PARTS, apart
 
@@ -27,6 +27,7 @@ HALVED = 32.0  # tolerances: what the solid moves in less is halved on
 DEEP = 1e-3  # of the size
 STEPS = 24  # of that search
 ROOM = 1.1  # of what changes, for what changes faster between places that were looked at
+BEYOND = 1.001  # tolerances: so far at least is what is not on
 SAME = 1e-7  # of the size: motions that differ by more jump or turn at once
 GOLDEN = (np.sqrt(5) - 1) / 2
 
@@ -46,7 +47,7 @@ class MovingSolid:
     is_sheet = False
 
     def __init__(self, solid, motion, change=None):
-        self.solid, self.change = solid, change
+        self.solid, self.change, self.overlaps = solid, change, solid.overlaps
         motion, whole = motion.rigid, motion
         measure = arc_length(motion.trajectory)
         self.total = measure.total
@@ -211,11 +212,18 @@ class MovingSolid:
     def from_solid(self, places, s, tolerance):
         """How far places (n, 3), as seen by the rigid motion, are from the solid, or less: (n,).
 
-        Within a tolerance it is no less.
+        Within a tolerance it is no less. Of a solid that may tell 0 of what is within it labels tell the side there.
         """
-        if self.change:
-            return self.change.distance(self.solid, places, s, tolerance)
-        return self.solid.distance(places)
+        change = self.change
+        found = change.distance(self.solid, places, s, tolerance) if change else self.solid.distance(places)
+        near = np.flatnonzero(np.abs(found) <= tolerance) if self.overlaps and tolerance else ()
+        if len(near):
+            own, room = places[near], tolerance
+            if change:
+                own, room = change.back(own, s[near] if np.ndim(s) else s)[0], tolerance / change.largest
+            labels = decided(self.solid.labels(own, room), own, room, self.solid)
+            found[near] = np.where(labels == ON, found[near], -BEYOND * tolerance * labels)
+        return found
 
 
 def corners_of(box):

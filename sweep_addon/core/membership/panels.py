@@ -12,6 +12,7 @@ from ..declared.frozen import individual
 ORDER = 8  # nodes in a panel
 ANGLES = (np.arange(ORDER) + 0.5) * np.pi / ORDER
 NODES = -np.cos(ANGLES)  # rising
+PLACES = np.concatenate(([-1.0], NODES, [1.0]))  # where a panel is looked at
 FITTED = 2 / ORDER * np.cos(np.arange(ORDER)[:, None] * np.arccos(NODES))  # from values at nodes to coefficients
 FITTED[0] /= 2
 EXACT = 1e-11  # of a channel's size: the last two terms of its series; the next are a hundred-thousandth of them
@@ -91,6 +92,17 @@ def panels(channels, breaks, parts, sizes):
     start, end, series = (np.concatenate(part) for part in zip(*kept, strict=True))
     order = np.argsort(start, kind="stable")
     return Panels(start[order], end[order], series[order])
+
+
+def parted(pieces, counts):
+    """Panels cut once more, into so many parts each; and the number of the panel that each is of."""
+    own = np.repeat(np.arange(len(counts)), counts)
+    number = np.arange(len(own)) - np.repeat(np.cumsum(counts) - counts, counts)
+    low, high = (2 * side / counts[own] - 1 for side in (number, number + 1))
+    places = (low + high)[:, None] / 2 + (high - low)[:, None] / 2 * NODES
+    basis = powers(places.ravel()).reshape(*places.shape, ORDER)
+    series = np.einsum("kcj,kij,li->kcl", pieces.series[own], basis, FITTED, optimize=True)
+    return Panels(pieces.parameter(own, low), pieces.parameter(own, high), series), own
 
 
 def powers(x):

@@ -19,6 +19,8 @@ class Prism:
         Between which heights.
     """
 
+    overlaps = False
+
     def __init__(self, plane, region, aside, low, high):
         self.plane, self.region, self.aside, self.ends, self.box = plane, region, aside, (low, high), plane.box
         self.is_sheet = plane.is_sheet
@@ -36,6 +38,7 @@ class Prism:
 
 
 class Meshed:
+    overlaps = False
     """A planar sweep whose distance is that of its mesh.
 
     Parameters

@@ -18,6 +18,7 @@ edges = later("core.contours.offsetting", "edges")
 SLOPED = 33  # places along each side where it is looked at how steep a formula is
 ROOM = 1.25  # for what is steeper between them
 DIFFERENCE = 1e-6  # of the size, and of the way: over which slopes are taken
+NEARLY = 0.05  # of the size: so near the boundary a formula is a distance to first order
 LEAST = 1e-300
 
 
@@ -120,9 +121,21 @@ class Still:
         """The distance from the boundary, and the unit vectors away from it: (n,), (n, 2)."""
         return self.region.exact(points)
 
+    def distance(self, points, parameters):
+        """How far points (n, 2) are from the boundary, or a fair part of that, negative inside: (n,)."""
+        return getattr(self.region, "fair", self.region.distance)(*points.T)
+
     def growth(self, points, parameters):
         """How fast the distance grows as the contour changes: it does not."""
         return 0.0
+
+    def change(self, parameter, count, places):
+        """By how much the distance changes at most in half of each panel as the contour does: it does not."""
+        return 0.0
+
+    def standing(self, parameter):
+        """The region as it is at a parameter."""
+        return self
 
 
 class Level:
@@ -153,12 +166,23 @@ class Level:
         steep = np.maximum(np.hypot(*slope.T), LEAST)
         return self.region.evaluate(*points.T, parameters / self.total) / steep, slope / steep[:, None]
 
+    def distance(self, points, parameters):
+        """How far points (n, 2) are from the boundary, to first order near it, and else less, negative inside: (n,)."""
+        least, first = self.depth(points, parameters), self.exact(points, parameters)[0]
+        near = np.abs(first) * (1 - np.abs(first) / (NEARLY * self.radius))
+        within = (np.abs(points) <= self.box[1]).all(axis=1)
+        return np.where(within, np.sign(least) * np.maximum(np.abs(least), near), least)
+
     def growth(self, points, parameters):
         """How fast the distance grows as the formula changes: (n,)."""
         ends = [np.clip(parameters / self.total + side * DIFFERENCE, 0.0, 1.0) for side in (-1, 1)]
         before, after = (self.region.evaluate(*points.T, t) for t in ends)
         steep = np.maximum(np.hypot(*self.slopes(points, parameters).T), LEAST)
         return (after - before) / (ends[1] - ends[0]) / self.total / steep
+
+    def change(self, parameter, count, places):
+        """By how much the distance changes at most in half of each panel: it is not known."""
+        return np.inf
 
     def slopes(self, points, parameters):
         """How the formula rises along x and y: (n, 2)."""

@@ -20,7 +20,7 @@ class SheetBody:
     mesh : Mesh
     """
 
-    is_sheet = True
+    is_sheet, overlaps = True, False
 
     def __init__(self, mesh):
         vertices = np.asarray(mesh.vertices, dtype=np.float64)

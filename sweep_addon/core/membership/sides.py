@@ -32,7 +32,7 @@ class Sided:
         Whose faces look the same way wherever they meet; vertices at one place count as one.
     """
 
-    is_sheet = True
+    is_sheet, overlaps = True, False
 
     def __init__(self, mesh):
         triangles = facets(mesh)[0]

@@ -75,6 +75,24 @@ class Superdisc:
         a, b = self.half
         return (self.levels(points)[0] - 1) * a * b / np.hypot(a, b)  # within it is a rhombus, and the level a norm
 
+    def fair(self, x, y):
+        """How far places x (n,) and y (n,) are from the curve, or a fair part of that, negative inside: (n,)."""
+        level, slope = self.levels(np.stack((x, y), axis=1))
+        steep = np.sqrt(slope[:, 0] ** 2 + slope[:, 1] ** 2)
+        return self.bounded(level, (level - 1) / np.maximum(steep, LEAST))
+
+    def bounded(self, level, first, narrow=1.0, wide=1.0):
+        """A distance to first order made one that is nowhere too large, where all is stretched so little and so much.
+
+        The level is convex: outside the distance to first order is that from a tangent, and not too large. It grows by
+        one in no less than the radius of a ball inside, on either side.
+        """
+        a, b = self.half
+        ball = narrow * (min(a, b) if self.exponent >= 2 else a * b / np.hypot(a, b))
+        bend = ball**2 / (wide * max(a, b))  # the radius of the sharpest bend of an ellipse
+        inside = np.maximum((1 - level) * ball, -first * (1 + first / bend))
+        return np.where(level < 1, -inside, np.maximum(first, (level - 1) * ball))
+
     def exact(self, points):
         """The distance near the curve to first order, and unit vectors away: (n,), (n, 2)."""
         level, slope = self.levels(points)

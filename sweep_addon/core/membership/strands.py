@@ -63,6 +63,10 @@ class Strands:
         """How far points (n, 2) are from the nearest of the edges, never negative: (n,)."""
         return self.exact(points)[0]
 
+    def distance(self, x, y):
+        """The same of places x (n,) and y (n,): (n,)."""
+        return self.depth(np.stack((x, y), axis=1))
+
     def exact(self, points):
         """The same, and unit vectors away from it: (n,), (n, 2)."""
         depth, outward = np.empty(len(points)), np.empty((len(points), 2))

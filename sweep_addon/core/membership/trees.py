@@ -29,6 +29,8 @@ class TreeMember:
 
     def __init__(self, base, steps):
         self.base, self.steps = base, steps
+        self.overlaps = any(member.overlaps for member in (base, *(other for _, other in steps)))
+        self.overlaps |= any(operation == "union" for operation, _ in steps)
         self.box = base.box
         for operation, other in steps:
             if operation == "union":
@@ -75,7 +77,7 @@ class PlacedMember:
     """
 
     def __init__(self, placed, solid):
-        self.solid, self.origin, self.is_sheet = solid, placed.origin, solid.is_sheet
+        self.solid, self.origin, self.is_sheet, self.overlaps = solid, placed.origin, solid.is_sheet, solid.overlaps
         self.inverse = np.linalg.inv(placed.axes)
         stretches = np.linalg.svd(placed.axes, compute_uv=False)
         self.longest, self.shortest = float(stretches[0]), float(stretches[-1])
