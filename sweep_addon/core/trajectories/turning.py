@@ -27,8 +27,9 @@ def turning(radius, u, rise, *orders):
 
     Examples
     --------
-    >>> turning(2.0, [0.0], 3.0, 0, 1, 2)[1].tolist()
-    [[0.0, 2.0, 3.0]]
+    >>> point, velocity = turning(2.0, [0.0], 3.0, 0, 1)
+    >>> point.tolist(), velocity[:, 1:].tolist()
+    ([[2.0, 0.0, 0.0]], [[2.0, 3.0]])
     """
     u = np.asarray(u, dtype=float)
     x, y = radius * np.cos(u), radius * np.sin(u)
