@@ -13,6 +13,7 @@ and tests marked `thorough` are skipped, but for one in ten of those that have s
 """
 
 import atexit
+import gc
 import importlib.util
 import itertools
 import os
@@ -129,6 +130,17 @@ def pytest_report_header(config):
 
     kind = "this checkout" if config.sweep_place.is_symlink() else "the installed zip"
     return f"sweep: Blender {bpy.app.version_string}, the extension is {kind}"
+
+
+def pytest_collection():
+    gc.disable()  # little of what is made of tests is garbage, and looking for it takes a fifth of the time
+
+
+def pytest_collection_finish():
+    """Let the garbage collector not look again and again at what lives to the end: all tests and all modules."""
+    gc.enable()
+    gc.collect()
+    gc.freeze()
 
 
 def pytest_collection_modifyitems(items):
