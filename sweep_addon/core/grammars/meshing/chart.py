@@ -8,6 +8,7 @@ import numpy as np
 
 from ...declared.digest import checksum
 from ...grids.texture import Texture
+from ...vectors import norms, product
 
 METRIC, OF_SEGMENTS = ("u", "arc_length", "radius"), ("colour", "birth", "axis", "order")
 
@@ -39,7 +40,7 @@ class Skin:
         self.lower = np.arange(len(self.order)) + np.cumsum(self.begins) - 1
         self.segment = np.empty(len(self.order) + int(self.begins.sum()), dtype=np.intp)
         self.segment[self.lower + 1], self.segment[self.lower] = self.order, self.order
-        self.shared = None if ends is None else self.ring_of(ends, starts)
+        self.shared, self.values = None if ends is None else self.ring_of(ends, starts), {}
 
     def ring_of(self, ends, starts):
         """(v,) int array: the ring at each point of edges."""
@@ -56,7 +57,12 @@ class Skin:
     @cached_property
     def first(self):
         """(a,) int array: the first ring of each axis."""
-        return self.lower[self.begins]
+        return self.lower.take(self.starts)
+
+    @cached_property
+    def starts(self):
+        """(a,) int array: the first of the sorted segments of each axis."""
+        return np.flatnonzero(self.begins)
 
     @cached_property
     def final(self):
@@ -72,14 +78,14 @@ class Skin:
     def points(self):
         """(r, 3) float array: the middle of each ring."""
         found = np.empty((self.rings, 3))
-        found[self.lower + 1] = self.figure.end[self.order]
-        found[self.first] = self.figure.start[self.order[self.begins]]
+        found[self.lower + 1] = self.figure.end.take(self.order, axis=0)
+        found[self.first] = self.figure.start.take(self.order.take(self.starts), axis=0)
         return found
 
     @cached_property
     def radius(self):
         """(r,) float array: of each ring."""
-        found = self.figure.width[self.segment] / 2
+        found = self.figure.width.take(self.segment) / 2
         if self.figure.walk.cylinders:  # whose curves taper to their end
             last = np.append(self.begins[1:], True)[: len(self.order)]
             found[self.final] = self.figure.tip[self.order[last]] / 2
@@ -89,16 +95,16 @@ class Skin:
     def arc_length(self):
         """(r,) float array: from where the axis begins."""
         found = np.zeros(self.rings)
-        way = np.diff(self.points, axis=0)[self.lower]
-        reached = np.concatenate(([0.0], np.cumsum(np.sqrt(np.einsum("ij,ij->i", way, way)))))
-        found[self.lower + 1] = reached[1:] - reached[:-1][self.begins][self.axis]
+        way = norms(self.points[1:] - self.points[:-1]).take(self.lower)
+        reached = np.concatenate(([0.0], np.cumsum(way)))
+        found[self.lower + 1] = reached[1:] - reached.take(self.starts).take(self.axis)
         return found
 
     @cached_property
     def u(self):
         """(r,) float array: from 0 to 1 along its axis."""
-        length = self.arc_length[self.final]
-        return self.arc_length / np.where(length > 0, length, 1)[self.ring_axis]
+        length = self.arc_length.take(self.final)
+        return self.arc_length / np.where(length > 0, length, 1).take(self.ring_axis)
 
     @cached_property
     def ring_axis(self):
@@ -109,13 +115,15 @@ class Skin:
 
     def value(self, name):
         """(v,) or (r,) array: a value of each ring, or of each point of edges."""
-        if name == "axis":
-            found = self.ring_axis
-        elif name in OF_SEGMENTS:
-            found = getattr(self.figure, name)[self.segment]
-        else:
-            found = getattr(self, name)
-        return found if self.shared is None else found[self.shared]
+        if name not in self.values:
+            if name == "axis":
+                found = self.ring_axis
+            elif name in OF_SEGMENTS:
+                found = getattr(self.figure, name).take(self.segment)
+            else:
+                found = getattr(self, name)
+            self.values[name] = found if self.shared is None else found.take(self.shared)
+        return self.values[name]
 
 
 class Chart:
@@ -127,10 +135,10 @@ class Chart:
 
     @cached_property
     def keys(self):
-        metric = checksum(*map(self.skin.value, METRIC))
+        plain = self.texture is Texture.NONE
+        metric = checksum(*map(self.skin.value, METRIC)) if self.named or not plain else ""
         told = checksum(*map(self.skin.value, OF_SEGMENTS)) if self.named else ""
-        texture = "" if self.texture is Texture.NONE else f"{self.texture.name}{metric}"
-        return texture, metric if self.named else "", told
+        return "" if plain else f"{self.texture.name}{metric}", metric if self.named else "", told
 
     def uv(self, dtype=np.float64, empty=np.empty):
         """Texture coordinates of each corner: (c, 2), or None for none.
@@ -148,14 +156,13 @@ class Chart:
         made = empty(8 * sides * count + 4 * sides * tubes, dtype)
         # One product lays the corners of all faces: what all columns have, and so many widths as are left.
         rows = np.zeros((2, count, 4, 2), dtype)
-        here, there = skin.lower, skin.lower + 1
-        for corner, ring, left in ((0, here, 0), (1, here, 1), (2, there, 1), (3, there, 0)):
-            rows[0, :, corner, 0] = along[ring]
-            rows[0, :, corner, 1] = -left * width[ring]
-            rows[1, :, corner, 1] = width[ring]
+        here, there = ((along.take(ring), width.take(ring)) for ring in (skin.lower, skin.lower + 1))
+        for corner, (far, wide), left in ((0, here, False), (1, here, True), (2, there, True), (3, there, False)):
+            rows[0, :, corner, 0], rows[1, :, corner, 1] = far, wide
+            if left:
+                rows[0, :, corner, 1] = -wide
         columns = np.column_stack((np.ones(sides), sides - np.arange(sides))).astype(dtype)
-        faces = made[: 8 * sides * count].reshape(sides, 8 * count)
-        np.matmul(columns, rows.reshape(2, -1), out=faces)
+        product(columns, rows.reshape(2, -1), out=made[: 8 * sides * count].reshape(sides, 8 * count))
         self.lay_caps(made[8 * sides * count :].reshape(2, tubes, sides, 2), along, lengths)
         return made.reshape(-1, 2)
 
@@ -165,10 +172,11 @@ class Chart:
         angle = 2 * np.pi * np.arange(sides) / sides
         disc = np.column_stack((np.cos(angle), np.sin(angle)))
         for cap, ring, way in zip(made, (skin.first, skin.final), (-1, 1), strict=True):
-            size = skin.radius[ring] if lengths else np.full(len(ring), 0.5)
-            cap[:] = size[:, None, None] * (1 + (disc[::-1] * (-1, 1) if way < 0 else disc))
+            size = skin.radius.take(ring) if lengths else np.full(len(ring), 0.5)
+            corners = 1 + (disc[::-1] * (-1, 1) if way < 0 else disc)
+            cap[:] = np.multiply.outer(size.astype(made.dtype), corners.astype(made.dtype))
             if lengths:
-                cap[..., 0] += np.where(way < 0, -3 * size, along[ring] + size)[:, None]
+                cap[..., 0] += (-3 * size if way < 0 else along.take(ring) + size)[:, None]
 
     def along(self, dtype=np.float64):
         """Values at each vertex in metres, or by metres: u, arc_length, radius and v, the length round it."""
@@ -176,8 +184,8 @@ class Chart:
             return {}
         found = {name: self.spread(self.skin.value(name), dtype) for name in METRIC}
         if self.skin.shared is None:
-            edge = 2 * self.skin.radius * np.sin(np.pi / self.columns)
-            found["v"] = (np.arange(self.columns)[:, None] * edge).astype(dtype).ravel()
+            edge = (2 * self.skin.radius * np.sin(np.pi / self.columns)).astype(dtype)
+            found["v"] = np.multiply.outer(np.arange(self.columns).astype(dtype), edge).ravel()
         return found
 
     def across(self, dtype=np.float64):
@@ -186,4 +194,6 @@ class Chart:
 
     def spread(self, values, dtype):
         """A value at each vertex, from one for each ring."""
-        return np.tile(values.astype(dtype), self.columns)
+        found = np.empty((self.columns, len(values)), dtype)
+        found[:] = values
+        return found.ravel()

@@ -26,7 +26,8 @@ def laid(begins, material, sides):
     count, tubes = len(begins), int(begins.sum())
     slot = np.frombuffer(material, dtype=np.int32) if material else np.zeros(count, dtype=np.int32)
     rings = count + tubes
-    lower = (np.arange(count) + np.cumsum(begins) - 1).astype(np.int32)
+    lower = np.arange(-1, count - 1, dtype=np.int32)
+    lower += np.cumsum(begins, dtype=np.int32)
     bars = np.arange(rings, rings + count, dtype=np.int32)  # the edges of the first column along the segments
     own = rings + count  # edges of each column: first those from its rings to the next column's, then its bars
     quads = 4 * sides * count
@@ -49,14 +50,15 @@ def laid(begins, material, sides):
     corner_edges[quads:] = (around[1] * own + ends).ravel()
     sharp = np.zeros(sides * own, dtype=bool)
     sharp[corner_edges[quads:]] = True
-    offsets = np.concatenate((np.arange(0, quads, 4), np.arange(quads, len(corners) + 1, sides)), dtype=np.int32)
+    of_quads = np.arange(0, quads, 4, dtype=np.int32)
+    offsets = np.concatenate((of_quads, np.arange(quads, len(corners) + 1, sides, dtype=np.int32)))
     return Topology(
         corners=corners,
         offsets=offsets,
         edges=edges.reshape(-1, 2),
         corner_edges=corner_edges,
         sharp=sharp,
-        material=np.concatenate((np.tile(slot, sides), slot[first], slot[final])),
+        material=np.concatenate((*[slot] * sides, slot[first], slot[final])),
         name=f"tubes.{sides}.{checksum(begins, slot)}.",
     )
 

@@ -10,7 +10,7 @@ from ...declared.digest import checksum
 from ...grids.texture import Texture
 from ...meshes.joining import joined
 from ...meshes.mesh import Mesh, Topology, require_few
-from ...vectors import cross
+from ...vectors import cross, dot, product
 from ..drawing.filling import ORGAN, START
 from .beside import Numbered, organs, polygons, slots
 from .chart import Chart, Skin
@@ -77,27 +77,28 @@ def tubes(figure, sides, texture, attributes, dtype):
     axes[2] = skin.points
     angle = 2 * np.pi * np.arange(sides) / sides
     contour = np.column_stack((np.cos(angle), np.sin(angle), np.ones(sides))).astype(dtype)
-    vertices = (contour @ axes.reshape(3, -1)).reshape(-1, 3)
+    vertices = np.empty((sides, 3 * skin.rings), dtype)
+    product(contour, axes.reshape(3, -1), out=vertices)
     material = slots(figure.colour)[skin.order]
     topology = laid(skin.begins.tobytes(), material.tobytes() if material.any() else b"", sides)
-    return Mesh(vertices, topology, Chart(skin, sides, texture, attributes))
+    return Mesh(vertices.reshape(-1, 3), topology, Chart(skin, sides, texture, attributes))
 
 
 def mitred(figure, skin, dtype):
     """Two (r, 3) float arrays: the axes of each ring, in the plane halfway between two segments where these meet."""
     along, across = (part.astype(dtype) for part in carried(figure, skin))
     together = along[:-1] + along[1:]
-    cosine = np.einsum("ij,ij->i", along[:-1], along[1:])
+    cosine = dot(along[:-1], along[1:])
     share = np.where((cosine > SHARPEST) & ~skin.begins[1:], 1 / np.maximum(1 + cosine, 0.1), 0)
     first, last = closed(skin, along)
     around = along[last] + along[first]
-    around *= 2 / np.einsum("ij,ij->i", around, around)[:, None]
+    around *= 2 / dot(around, around)[:, None]
     for axis in (across, cross(along, across)):
         ring = np.empty((skin.rings, 3), dtype)
-        ring[skin.first] = axis[skin.begins]
-        ring[skin.lower[first]] -= np.einsum("ij,ij->i", axis[first], around)[:, None] * along[first]
-        axis[last] -= np.einsum("ij,ij->i", axis[last], around)[:, None] * along[last]
-        axis[:-1] -= (np.einsum("ij,ij->i", axis[:-1], together) * share)[:, None] * along[:-1]
+        ring[skin.first] = axis.take(skin.starts, axis=0)
+        ring[skin.lower[first]] -= dot(axis[first], around)[:, None] * along[first]
+        axis[last] -= dot(axis[last], around)[:, None] * along[last]
+        axis[:-1] -= (dot(axis[:-1], together) * share)[:, None] * along[:-1]
         ring[skin.lower + 1] = axis
         yield ring
 
@@ -105,13 +106,12 @@ def mitred(figure, skin, dtype):
 def closed(skin, along):
     """Two (a,) int arrays: which sorted segments begin, and which end, the axes that end where they began."""
     points = skin.points
-    apart = points[skin.final] - points[skin.first]
-    axis = np.flatnonzero(
-        np.einsum("ij,ij->i", apart, apart) <= (ALMOST * max(points.max(initial=0), -points.min(initial=0))) ** 2
-    )
-    first = np.flatnonzero(skin.begins)[axis]
+    apart = points.take(skin.final, axis=0) - points.take(skin.first, axis=0)
+    nearest = ALMOST * max(points.max(initial=0), -points.min(initial=0))
+    axis = np.flatnonzero(dot(apart, apart) <= nearest**2)
+    first = skin.starts[axis]
     last = first + skin.final[axis] - skin.first[axis] - 1
-    meets = (last > first) & (np.einsum("ij,ij->i", along[last], along[first]) > SHARPEST)
+    meets = (last > first) & (dot(along[last], along[first]) > SHARPEST)
     return first[meets], last[meets]
 
 
@@ -123,15 +123,15 @@ def carried(figure, skin):
     """
     walk = figure.walk
     if not len(figure) or not (walk.spatial or walk.cylinders):  # in its plane it turns about its up alone
-        return figure.headings[skin.order], np.tile(walk.up, (len(figure), 1))
-    axes, heading = figure.axes[skin.order], figure.headings[skin.order]
+        return figure.headings.take(skin.order, axis=0), np.tile(walk.up, (len(figure), 1))
+    axes, heading = figure.axes.take(skin.order, axis=0), figure.headings.take(skin.order, axis=0)
     left, up = axes[:, 1], axes[:, 2]
     middle = heading[:-1] + heading[1:]
-    size = np.einsum("ij,ij->i", middle, middle)
-    part = np.einsum("ij,ij->i", left[:-1], middle) / np.where(size > 1e-12, size, 1)
+    size = dot(middle, middle)
+    part = dot(left[:-1], middle) / np.where(size > 1e-12, size, 1)
     turned = left[:-1] - 2 * part[:, None] * middle
-    roll = np.arctan2(np.einsum("ij,ij->i", turned, up[1:]), np.einsum("ij,ij->i", turned, left[1:]))
+    roll = np.arctan2(dot(turned, up[1:]), dot(turned, left[1:]))
     roll = np.concatenate(([0.0], np.where(skin.begins[1:], 0.0, roll)))
     total = np.cumsum(roll)
-    total -= total[np.flatnonzero(skin.begins)[skin.axis]]
+    total -= total.take(skin.starts).take(skin.axis)
     return heading, np.cos(total)[:, None] * left + np.sin(total)[:, None] * up
