@@ -8,9 +8,6 @@ from ..declared.parameters import require
 from ..distance import PseudoNormals, Tree, nearest
 from ..meshes.facets import facets
 from ..offsets.choices import Side
-from ..swept.field import Field
-from ..swept.solid import Solid
-from ..swept.visited import Visited
 from ..vectors import norms
 from .labels import IN, ON, OUT
 
@@ -85,25 +82,3 @@ class OffsetBody(Body):
             Side.INSIDE: from_surface + self.radius,
             Side.SHELL: np.abs(from_surface) - self.radius,
         }[self.side]
-
-
-class VisitedBody(Body):
-    """What a solid visits that is scaled or deformed on its way, as the mesh of a `GeneralSweep` has it.
-
-    Its poses are as close as the mesh's; between two of them it is told by both.
-    """
-
-    def __init__(self, shape):
-        sweep = Solid(shape, shape.generator.mesh())
-        poses, back, step = sweep.close
-        places = sweep.motion.posed(sweep.some, poses)
-        self.box = np.stack((places.min(axis=(0, 1)) - step, places.max(axis=(0, 1)) + step))
-        self.visited = Visited(Field.of(sweep.generator, step / 2), sweep.motion, poses, back)
-
-    def distance(self, points):
-        """How far points (n, 3) are from all that was visited, exact near it, negative inside: (n,)."""
-        values, times = self.visited.searched(points)
-        near = np.flatnonzero(np.abs(values) <= 2 * self.visited.field.error)
-        times = self.visited.nearer(points[near], times[near])
-        values[near] = self.visited.exact(points[near], times)[0]
-        return values

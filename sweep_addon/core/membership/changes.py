@@ -8,6 +8,7 @@ together say how long nothing can happen.
 
 from functools import cached_property
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,19 +29,37 @@ DIFFERENCE = 1e-6  # of a solid's size: over which slopes are taken
 LEAST = 1e-300
 
 
+class Own(NamedTuple):
+    """Places as a solid has them itself, before it is changed."""
+
+    places: np.ndarray  # (n, 3)
+    least: np.ndarray  # what a length about them becomes at least: (n,)
+    most: np.ndarray  # and at most: (n,)
+    away: np.ndarray  # how far they are from what the solid may become at least, 0 where they have a place in it: (n,)
+
+
 class Change:
-    """How fast a solid changes.
+    """What becomes of a solid, which has the methods ``back`` and ``maps``.
+
+    The distance from what is changed is at least that of the solid itself times the least that a length becomes, and
+    exactly so where all become the same. Near its surface it is to first order the distance over the length of its
+    slope.
 
     Parameters
     ----------
+    box : (2, 3) float array
+        Around the solid itself.
     edges : (k + 1,) float array
         Places of the way in metres, rising, the first 0 and the last its end.
     growth : (k,) float array
         How far points of the solid move at most, the rigid motion aside, in metres for each metre of the way between
         two of these places.
+    parts : int
+        Places along each side of the box that tell where the solid gets.
     """
 
-    def __init__(self, edges, growth):
+    def __init__(self, box, edges, growth, parts=2):
+        self.box, self.size, self.places = box, float(norms(box[1] - box[0])), lattice(box, parts)
         self.edges, self.growth = edges, growth
 
     @cached_property
@@ -78,6 +97,29 @@ class Change:
         faster = np.flatnonzero((self.growth > fast) & (self.edges[:-1] >= after))
         return fast, float(self.edges[faster[0]]) if len(faster) else np.inf
 
+    def distance(self, solid, places, s, tolerance):
+        """How far places (n, 3) are from a changed solid, or less, but no less within a tolerance: (n,).
+
+        Parameters
+        ----------
+        solid : member
+        places : (n, 3) float array
+            As seen by the rigid motion.
+        s : float or (n,) float array
+            How far it has come.
+        tolerance : float
+        """
+        own = self.back(places, s)
+        found = distant(solid, own.places, self.box, APART * self.size)
+        value = own.least * found
+        near = np.flatnonzero((np.abs(value) <= tolerance) & (own.away == 0) & (own.least < own.most))
+        if len(near):
+            slope = slopes(solid, own.places[near], DIFFERENCE * self.size)
+            maps = self.maps(own.places[near], s if np.ndim(s) == 0 else s[near])
+            steep = norms(np.linalg.solve(maps.swapaxes(1, 2), slope[..., None])[..., 0])
+            value[near] = found[near] / np.clip(steep, 1 / own.most[near], 1 / own.least[near])
+        return np.where(own.away > 0, own.away + np.maximum(value, 0.0), value)
+
 
 class Scaling(Change):
     """A solid that is scaled along its own axes on its way.
@@ -86,15 +128,11 @@ class Scaling(Change):
     ----------
     motion : Motion
     box : (2, 3) float array
-        Around the solid.
-
-    The distance from what is scaled is at least that of the solid itself times the least scale, and exactly so where
-    all three are equal. Near its surface it is to first order the distance over the length of its slope.
+        Around the solid itself.
     """
 
     def __init__(self, motion, box):
         measure = arc_length(motion.trajectory)
-        self.box, self.size = box, float(norms(box[1] - box[0]))
 
         def scales(s):
             u, t = measure.parameter(s), s / measure.total
@@ -106,36 +144,52 @@ class Scaling(Change):
         self.flattest = FLATTEST * self.largest
         breaks = apart(measure.at(motion.trajectory.joints()), measure.total)
         self.panels = panels(scales, breaks, PARTS, np.full(3, looked.max()))
-        half = ((self.panels.end - self.panels.start) / 2)[:, None, None]
-        rates = np.einsum("kcj,ij->kic", derivative(self.panels.series) / half, powers(NODES))
-        edges = np.append(self.panels.start, self.panels.end[-1])
-        super().__init__(edges, ROOM * norms(rates * np.abs(box).max(axis=0)).max(axis=1))
+        super().__init__(box, *speeds(self.panels, np.abs(box).max(axis=0)))
 
     def scales(self, s):
         """The scales at places of the way, (n,) or one: (n, 3) or (3,) float array, none of them 0."""
-        places = np.atleast_1d(s)
-        start, end = self.panels.start, self.panels.end
-        panel = np.clip(np.searchsorted(start, places, side="right") - 1, 0, len(start) - 1)
-        x = np.clip((2 * places - start[panel] - end[panel]) / (end[panel] - start[panel]), -1.0, 1.0)
-        found = self.panels.at(panel, x)
+        found = held(self.panels, np.atleast_1d(s))
         found = np.where(np.abs(found) < self.flattest, np.copysign(self.flattest, found), found)
         return found if np.ndim(s) else found[0]
 
     def back(self, places, s):
-        """Places (n, 3) as the solid itself has them, and the scales there: two (n, 3)."""
-        scales = np.broadcast_to(self.scales(s), places.shape)
-        return places / scales, scales
+        """Places (n, 3) as the solid itself has them."""
+        scales = self.scales(s)
+        size, shape = np.abs(scales), len(places)
+        ends = (np.broadcast_to(end, shape) for end in (size.min(axis=-1), size.max(axis=-1)))
+        return Own(places / scales, *ends, np.zeros(shape))
 
-    def distance(self, solid, places, s, tolerance):
-        """How far places (n, 3) are from the scaled solid, or less, but no less within a tolerance: (n,)."""
-        own, scales = self.back(places, s)
-        least = np.abs(scales).min(axis=1)
-        found = distant(solid, own, self.box, APART * self.size)
-        near = np.flatnonzero((least * np.abs(found) <= tolerance) & (least < np.abs(scales).max(axis=1)))
-        if len(near):
-            steep = norms(slopes(solid, own[near], DIFFERENCE * self.size) / scales[near])
-            least[near] = 1 / np.maximum(steep, 1 / np.abs(scales[near]).max(axis=1))
-        return least * found
+    def maps(self, places, s):
+        """The matrices that take directions of the solid itself at places (n, 3) to those of what it becomes."""
+        return np.broadcast_to(self.scales(s), places.shape)[:, None] * np.eye(3)
+
+
+def speeds(changed, factors):
+    """Edges, and how fast points of a solid move at most between them.
+
+    Parameters
+    ----------
+    changed : Panels
+        Of channels, three for each point.
+    factors : float or (3,) float array
+        By which they are multiplied.
+    """
+    half = ((changed.end - changed.start) / 2)[:, None, None]
+    rates = np.einsum("kcj,ij->kic", derivative(changed.series) / half, powers(NODES))
+    moved = norms(rates.reshape(*rates.shape[:2], -1, 3) * factors)
+    return np.append(changed.start, changed.end[-1]), ROOM * moved.max(axis=(1, 2))
+
+
+def lattice(box, count):
+    """Places in a box, so many along each side: (count^3, 3)."""
+    return np.stack(np.meshgrid(*np.linspace(*box, count).T, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def held(kept, s):
+    """The channels of `Panels` at places of the way (n,): (n, c)."""
+    panel = np.clip(np.searchsorted(kept.start, s, side="right") - 1, 0, len(kept.start) - 1)
+    start, end = kept.start[panel], kept.end[panel]
+    return kept.at(panel, np.clip((2 * s - start - end) / (end - start), -1.0, 1.0))
 
 
 def distant(solid, places, box, far):

@@ -25,8 +25,9 @@ from ..shapes.translational_sweep import TranslationalSweep
 from ..variation.motion import UNDEFORMED, UNSCALED, Motion
 from . import flat, ways
 from .balls import BallsBody
-from .bodies import BallBody, MeshBody, OffsetBody, VisitedBody
+from .bodies import BallBody, MeshBody, OffsetBody
 from .changes import Scaling
+from .deformation import Deformation
 from .deformed import DeformedBody
 from .deforming import Deforming
 from .discs import DiscsBody
@@ -134,22 +135,25 @@ def general(shape):
         return deformed(shape) if shape.motion.deforms else planar(ways.of_planar)(shape)
     if len(shape.generator.mesh().boundary_edges()):
         return surface(shape)
-    if shape.motion.deforms:
-        return VisitedBody(shape)
     with at("generator"):
         body = solid(shape.generator)
-    change = None if shape.motion.scales == UNSCALED else Scaling(shape.motion, body.box)
-    return MovingSolid(body, shape.motion, change)
+    return MovingSolid(body, shape.motion, change(shape.motion, body.box))
 
 
 def surface(shape):
     """The sweep of a surface, which stands at both ends."""
     motion, mesh = shape.motion, shape.swept().generator
-    if motion.deforms or not all(isinstance(end, Flat) for end in (shape.start, shape.end)):
+    if not all(isinstance(end, Flat) for end in (shape.start, shape.end)):
         return meshed(shape.mesh())
     sheet = Sided(mesh)
-    change = None if motion.scales == UNSCALED else Scaling(motion, sheet.box)
-    return MovingSheet(sheet, motion, motion.comes_back(mesh.vertices), change)
+    return MovingSheet(sheet, motion, motion.comes_back(mesh.vertices), change(motion, sheet.box))
+
+
+def change(motion, box):
+    """What a motion makes of what is in a box, if anything."""
+    if motion.deforms:
+        return Deformation(motion, box)
+    return None if motion.scales == UNSCALED else Scaling(motion, box)
 
 
 def deformed(shape):

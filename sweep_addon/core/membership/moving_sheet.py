@@ -17,8 +17,9 @@ from typing import NamedTuple
 import numpy as np
 
 from .labels import IN, ON, OUT, TOUCHED
-from .moving_solid import CHUNK, GOLDEN, SAME, SHORTEST, STEPS, MovingSolid
+from .moving_solid import CHUNK, SAME, SHORTEST, MovingSolid
 from .panels import at_both
+from .sections import least_between
 from .sides import Seen
 
 ROUNDS = 40  # of halving, where a way crosses the sheet
@@ -36,12 +37,7 @@ class State(NamedTuple):
     part: np.ndarray
     foot: np.ndarray
     place: np.ndarray  # the points as the sheet has them: (n, 3)
-    scales: np.ndarray  # of the sheet: (n, 3)
-
-    @property
-    def least(self):
-        """What a length of the sheet's own space is at least: (n,)."""
-        return np.abs(self.scales).min(axis=1)
+    least: np.ndarray  # what a length of the sheet's own space is at least: (n,)
 
     def only(self, which):
         return State(*(part[which] for part in self))
@@ -90,14 +86,17 @@ class MovingSheet(MovingSolid):
         """The sheet as places (n, 3) see it that are seen by the rigid motion."""
         if not self.change:
             found = self.solid.seen(seen)
-            return State(found.depth, *found, seen, np.broadcast_to(1.0, seen.shape))
-        places, scales = self.change.back(seen, s)
-        found = self.solid.seen(places)
-        value = np.abs(scales).min(axis=1) * found.depth
-        near = np.flatnonzero((np.abs(value) <= tolerance) & (found.face >= 0))
-        far = self.solid.scaled(places[near], Seen(*(part[near] for part in found)), scales[near])
+            return State(found.depth, *found, seen, np.broadcast_to(1.0, len(seen)))
+        own = self.change.back(seen, s)
+        found = self.solid.seen(own.places)
+        value = own.least * found.depth
+        near = np.flatnonzero((np.abs(value) <= tolerance) & (found.face >= 0) & (own.away == 0))
+        maps = self.change.maps(own.places[near], s if np.ndim(s) == 0 else s[near])
+        far = self.solid.mapped(own.places[near], Seen(*(part[near] for part in found)), maps)
         value[near] = np.copysign(far, value[near])
-        return State(value, *found, places, scales)
+        beyond = own.away > 0
+        value, face = np.where(beyond, own.away + np.abs(value), value), np.where(beyond, -1, found.face)
+        return State(value, found.depth, face, found.part, found.foot, own.places, own.least)
 
     def at_times(self, places, s, tolerance):
         """The sheet as places about the middle, (n, 3), see it when it has come so far."""
@@ -179,30 +178,24 @@ class MovingSheet(MovingSolid):
     def crossing(self, places, ways, tolerance):
         """Where pieces of ways change sides, and whether they cross the sheet there: two (k,)."""
         low, high, side = ways.low.copy(), ways.high.copy(), np.sign(ways.before.value)
-        places = places[ways.point]
+        middle, value, left = (low + high) / 2, np.full(len(low), np.inf), np.arange(len(low))
         for _ in range(ROUNDS):
-            middle = (low + high) / 2
-            value = self.at_times(places, middle, tolerance).value
-            same = np.sign(value) == side
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
+            middle[left] = (low + high)[left] / 2
+            value[left] = self.at_times(places[ways.point[left]], middle[left], tolerance).value
+            same = np.sign(value[left]) == side[left]
+            low[left[same]], high[left[~same]] = middle[left[same]], middle[left[~same]]
+            left = left[np.abs(value[left]) > tolerance]
         return middle, np.abs(value) <= tolerance
 
     def nearest(self, places, ways, tolerance):
-        """Where pieces of ways are nearest, by golden sections, and whether that is within the tolerance: two (k,)."""
-        low, high, places = ways.low, ways.high, places[ways.point]
+        """Where pieces of ways are nearest, and whether that is within the tolerance: two (k,)."""
+        places = places[ways.point]
 
-        def far(s):
-            return np.abs(self.at_times(places, s, tolerance).value)
+        def beyond(which, s):
+            return np.abs(self.at_times(places[which], s, tolerance).value) - tolerance
 
-        a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        at_a, at_b = far(a), far(b)
-        for _ in range(STEPS):
-            left = at_a < at_b
-            low, high = np.where(left, low, a), np.where(left, b, high)
-            a, b = np.where(left, high - GOLDEN * (high - low), b), np.where(left, a, low + GOLDEN * (high - low))
-            asked = far(np.where(left, a, b))
-            at_a, at_b = np.where(left, asked, at_b), np.where(left, at_a, asked)
-        return np.where(at_a < at_b, a, b), np.minimum(at_a, at_b) <= tolerance
+        least, s = least_between(beyond, ways.low, ways.high, 0.0, 0.0)
+        return s, least <= 0
 
     def contact(self, places, s, speed, tolerance):
         """How long ways stay near the sheet about a contact, on which side they come and go, and if the rim is near.
@@ -240,8 +233,10 @@ class MovingSheet(MovingSolid):
             sides.append(side)
         rim = np.zeros(len(s), dtype=bool)
         for part in np.linspace(0.0, 1.0, SIDES):
-            there = self.at_times(places, self.within(ends[0] + part * (ends[1] - ends[0])), tolerance)
-            rim |= self.solid.from_rim(there.place, there.scales) <= tolerance
+            at = self.within(ends[0] + part * (ends[1] - ends[0]))
+            there = self.at_times(places, at, tolerance)
+            maps = self.change.maps(there.place, at) if self.change else None
+            rim |= self.solid.from_rim(there.place, maps) <= tolerance
         return *ends, sides, rim
 
     def within(self, s):

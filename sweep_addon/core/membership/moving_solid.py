@@ -15,8 +15,10 @@ import numpy as np
 
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
+from .changes import lattice
 from .labels import IN, ON, OUT, decided
 from .panels import NODES, derivative, panels, powers
+from .sections import least_between
 from .ways import PARTS, apart
 
 CHUNK = 1 << 14  # points that fit into a processor's cache
@@ -25,11 +27,9 @@ POSES = 32  # at least, that are looked at for all points
 SHORTEST = 1e-3  # of the way: what is left of it when it is not halved any more, but searched
 HALVED = 32.0  # tolerances: what the solid moves in less is halved on
 DEEP = 1e-3  # of the size
-STEPS = 24  # of that search
 ROOM = 1.1  # of what changes, for what changes faster between places that were looked at
 BEYOND = 1.001  # tolerances: so far at least is what is not on
 SAME = 1e-7  # of the size: motions that differ by more jump or turn at once
-GOLDEN = (np.sqrt(5) - 1) / 2
 
 
 class MovingSolid:
@@ -77,8 +77,8 @@ class MovingSolid:
     def around(self, motion, turning):
         """The box of all poses: that of some, and what may be beyond it between them."""
         s = np.linspace(0.0, self.total, LOOKED)
-        poses, corners = motion.at(s), corners_of(self.solid.box)
-        places = motion.posed(corners, poses)
+        poses = motion.at(s)
+        places = motion.posed(self.change.places if self.change else lattice(self.solid.box, 2), poses)
         far = norms(places - poses.origin[:, None]).max()
         beyond = far * (turning * s[1]) ** 2 + s[1] + (self.change.most(s) if self.change else 0.0)
         return np.stack((places.min(axis=(0, 1)) - beyond, places.max(axis=(0, 1)) + beyond))
@@ -142,7 +142,7 @@ class MovingSolid:
             short = length <= SHORTEST * self.total
             short &= speed * length > HALVED * tolerance
             if short.any():
-                found = self.searched(places[point[short]], low[short], high[short], tolerance)
+                found = self.searched(places[point[short]], low[short], high[short], tolerance, enough)
                 np.minimum.at(least, point[short], found)
             point, low, high, speed, middle, length = (
                 part[~short] for part in (point, low, high, speed, middle, length)
@@ -185,18 +185,13 @@ class MovingSolid:
             until[asked] = np.minimum(s + clear, horizon)
         return [np.concatenate(part) for part in zip(*gaps, strict=True)]
 
-    def searched(self, places, low, high, tolerance):
-        """The least distance between two places of the way, by golden sections: (n,)."""
-        a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        at_a, at_b = self.at(places, a, tolerance), self.at(places, b, tolerance)
-        for _ in range(STEPS):
-            left = at_a < at_b
-            low, high = np.where(left, low, a), np.where(left, b, high)
-            a, b = np.where(left, high - GOLDEN * (high - low), b), np.where(left, a, low + GOLDEN * (high - low))
-            asked = self.at(places, np.where(left, a, b), tolerance)
-            at_a, at_b = np.where(left, asked, at_b), np.where(left, at_a, asked)
-        ends = (self.at(places, end, tolerance) for end in (low, high))
-        return np.minimum(np.minimum(at_a, at_b), np.minimum(*ends))
+    def searched(self, places, low, high, tolerance, enough):
+        """The least distance between two places of the way, as far as it decides something: (n,)."""
+
+        def far(which, s):
+            return self.at(places[which], s, tolerance)
+
+        return least_between(far, low, high, tolerance, enough)[0]
 
     def at(self, places, s, tolerance):
         """How far places about the middle, (n, 3), are from the solid when it has come so far: (n,)."""
@@ -220,12 +215,7 @@ class MovingSolid:
         if len(near):
             own, room = places[near], tolerance
             if change:
-                own, room = change.back(own, s[near] if np.ndim(s) else s)[0], tolerance / change.largest
+                own, room = change.back(own, s[near] if np.ndim(s) else s).places, tolerance / change.largest
             labels = decided(self.solid.labels(own, room), own, room, self.solid)
             found[near] = np.where(labels == ON, found[near], -BEYOND * tolerance * labels)
         return found
-
-
-def corners_of(box):
-    """The corners of a box (2, 3): (8, 3)."""
-    return np.stack(np.meshgrid(*box.T, indexing="ij"), axis=-1).reshape(-1, 3)

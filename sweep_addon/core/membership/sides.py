@@ -62,21 +62,21 @@ class Sided:
         face[near], part[near], foot[near] = found.faces, found.parts, found.places
         return Seen(depth, face, part, foot)
 
-    def from_rim(self, points, scales=1.0):
-        """How far points (n, 3) are from the rim, if both are scaled along the axes: (n,)."""
+    def from_rim(self, points, maps=None):
+        """How far points (n, 3) are from the rim, as maps (n, 3, 3) have both if they are given: (n,)."""
         if self.rim is None:
             return np.full(len(points), np.inf)
         found = nearest(self.rim, points)
-        return from_parts(self.rim.corners[found.faces], found.parts, points - found.places, scales)
+        return from_parts(self.rim.corners[found.faces], found.parts, points - found.places, maps)
 
-    def scaled(self, points, seen, scales):
-        """How far points (n, 3) are from where they see the sheet to be nearest, if it is scaled along its axes: (n,).
+    def mapped(self, points, seen, maps):
+        """How far points (n, 3) are from where they see the sheet to be nearest, as maps (n, 3, 3) have both: (n,).
 
         Of a face that is its plane, of an edge its line.
         """
-        found = from_parts(self.tree.corners[seen.face], seen.part, points - seen.foot, scales)
-        normals = self.normals.parts[seen.face, 0]
-        return np.where(seen.part == INTERIOR, np.abs(seen.depth) / norms(normals / scales), found)
+        found = from_parts(self.tree.corners[seen.face], seen.part, points - seen.foot, maps)
+        normals = np.linalg.solve(maps.swapaxes(1, 2), self.normals.parts[seen.face, 0][..., None])[..., 0]
+        return np.where(seen.part == INTERIOR, np.abs(seen.depth) / norms(normals), found)
 
     def between(self, one, other):
         """How far a way along the sheet from one foot to another leads from the first, where it is known.
@@ -105,13 +105,15 @@ class Sided:
         return found
 
 
-def from_parts(corners, parts, away, scales):
-    """How long ways to parts of triangles are, scaled along the axes; those to a side lead to its nearest place."""
+def from_parts(corners, parts, away, maps=None):
+    """How long ways to parts of triangles are as maps have them; those to a side lead to its nearest place."""
+    if maps is None:
+        return norms(away)
     side = np.maximum(parts - 1, 0) % 3
     rows = np.arange(len(parts))
-    along = unit((corners[rows, (side + 1) % 3] - corners[rows, side]) * scales)
-    away = away * scales
-    along[(parts == INTERIOR) | (parts >= VERTEX)] = 0.0
+    along = corners[rows, (side + 1) % 3] - corners[rows, side]
+    along, away = (np.einsum("nij,nj->ni", maps, part) for part in (along, away))
+    along = unit(np.where(((parts == INTERIOR) | (parts >= VERTEX))[:, None], 0.0, along))
     return norms(away - dot(away, along)[:, None] * along)
 
 
