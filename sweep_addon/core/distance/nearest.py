@@ -79,21 +79,24 @@ def searched(tree, points, hints, limit):
     if hints is not None:
         bound = np.minimum(bound, norms(points - hints).astype(np.float32))
     bound = bound * np.float32(1 + RELATIVE) + room
-    point, face = leaves(tree, near, bound, room)
-    squares = squared_distances(near.take(point, axis=1), tree.rows.take(face, axis=1))
+    point, leaf = leaves(tree, near, bound, room)
+    each = tree.order.shape[1]
+    owner = np.repeat(point, each)
+    squares = squared_distances(near.take(owner, axis=1), runs(tree.rows, each, leaf))
     best = lowest(squares, point, len(points))
     reach = np.minimum(np.sqrt(best) * np.float32(1 + RELATIVE) + room, bound)
-    kept = squares <= (reach * reach)[point]
-    return compared(tree, points, point[kept], face[kept], limit)
+    kept = np.flatnonzero(squares <= (reach * reach).take(owner))
+    return compared(tree, points, owner.take(kept), tree.order.ravel().take(within(leaf, each, kept)), limit)
 
 
 def leaves(tree, near, bound, room):
-    """Pairs of points and triangles, among which is the nearest one of each: two (p,) arrays, points rising."""
-    count, top = near.shape[1], tree.levels[-1].shape[1]
-    point, node = np.repeat(np.arange(count), top), np.tile(np.arange(top), count)
-    for level in reversed(range(len(tree.levels))):
-        px, py, pz = near.take(point, axis=1)
-        cx, cy, cz, nx, ny, nz, radius, thickness, sx, sy, sz = tree.levels[level].take(node, axis=1)
+    """Pairs of points and leaves, among whose triangles is the nearest one of each: two (p,) arrays, points rising."""
+    count, each = near.shape[1], tree.levels[-1].shape[1]
+    point, node = np.arange(count), np.zeros(count, dtype=np.int64)  # all below one root
+    for slabs in reversed(tree.levels):
+        below, owner = runs(slabs, each, node), np.repeat(point, each)
+        px, py, pz = near.take(owner, axis=1)
+        cx, cy, cz, nx, ny, nz, radius, thickness, sx, sy, sz = below
         sx, sy, sz = px - sx, py - sy, pz - sz
         upper = lowest(sx * sx + sy * sy + sz * sz, point, count)
         bound = np.minimum(bound, np.sqrt(upper) * np.float32(1 + RELATIVE) + room)
@@ -101,19 +104,33 @@ def leaves(tree, near, bound, room):
         height = np.abs(cx * nx + cy * ny + cz * nz)
         across = np.sqrt(np.maximum(cx * cx + cy * cy + cz * cz - height * height, 0))
         across, height = np.maximum(across - radius, 0), np.maximum(height - thickness, 0)
-        kept = np.flatnonzero(across * across + height * height <= (bound * bound)[point])
-        children = FAN if level else tree.order.shape[1]
-        point = np.repeat(point[kept], children)
-        node = (node[kept, None] * children + np.arange(children)).ravel()
-    return point, tree.order.ravel()[node]
+        kept = np.flatnonzero(across * across + height * height <= (bound * bound).take(owner))
+        point, node, each = owner.take(kept), within(node, each, kept), FAN
+    return point, node
+
+
+def runs(rows, each, which):
+    """Some of the runs of so many columns: (k, each n) and (p,) to (k, each p); each is looked up as a whole."""
+    return rows.reshape(len(rows), -1, each).take(which, axis=1).reshape(len(rows), -1)
+
+
+def within(runs, each, which):
+    """The numbers of columns in all, of those that are some in runs (p,) one after the other: (k,)."""
+    run = which // each
+    return each * runs.take(run) + which - each * run
 
 
 def lowest(values, point, count):
-    """The lowest of the values of each point (p,), points rising; infinite where there are none: (count,) array."""
+    """The lowest of the values of each point, as many for each of (p,), points rising; infinite where there are none.
+
+    Returns
+    -------
+    (count,) array
+    """
     found = np.full(count, np.inf, dtype=values.dtype)
     if len(values):
         first = np.flatnonzero(np.append(True, point[1:] != point[:-1]))
-        found[point[first]] = np.minimum.reduceat(values, first)
+        found[point[first]] = np.minimum.reduceat(values, len(values) // len(point) * first)
     return found
 
 

@@ -74,8 +74,8 @@ class Tree:
 
     @cached_property
     def rows(self):
-        """(18, f) float32 array: the triangles, each placed in its own plane."""
-        return np.ascontiguousarray(placed(self.corners - self.middle), dtype=np.float32)
+        """(18, s k) float32 array: the triangles of all leaves, each placed in its own plane."""
+        return placed(self.corners - self.middle).astype(np.float32).take(self.order.ravel(), axis=1)
 
 
 def cut(corners, largest):
