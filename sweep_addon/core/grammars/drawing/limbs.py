@@ -41,7 +41,7 @@ class Limbs:
     def __init__(self, walk):
         self.walk = walk
         kinds = np.zeros(max(len(walk.word.tables.symbols), 1), dtype=np.uint8)
-        turning = ((SPIN, (*TURNS, ABOUT)), (LEVEL, LEVELS)) if walk.spatial or walk.along == "z" else ()
+        turning = ((SPIN, (*TURNS, ABOUT)), (LEVEL, LEVELS)) if walk.spatial else ()
         for kind, names in (*turning, (OPENS, OPEN), (CLOSES, CLOSE)):
             kinds[walk.numbers(*names)] = kind
         kinds[walk.moving] = MOVE

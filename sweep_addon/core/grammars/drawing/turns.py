@@ -11,7 +11,7 @@ import numpy as np
 from ..deriving.neighbours import narrow
 
 LONG = 32  # rotations in a row that are multiplied one by one
-BLOCK = 1 << 12  # tokens
+BLOCK, RUNS = 1 << 12, 1 << 14  # tokens
 FEW = 300  # tokens in a wave below which blocks of waves are quicker
 LEAST = np.finfo(float).tiny  # of the sine between a heading and a tropism, so that it divides
 UPRIGHT = 1e-12  # of the sine between heading and up, below which nothing is level
@@ -71,6 +71,15 @@ def products_of_runs(z, w, run, count):
     count : int
         How many runs there are.
     """
+    whole = np.ones(count, dtype=complex), np.zeros(count, dtype=complex)
+    edges = np.searchsorted(run, np.arange(0, count + RUNS, RUNS)).tolist()
+    for part in map(slice, edges, edges[1:]):
+        multiply(z[part], w[part], run[part], whole)
+    return whole
+
+
+def multiply(z, w, run, whole):
+    """Write the products of the rotations of some runs."""
     while True:
         starts = np.flatnonzero(np.diff(run, prepend=-1))
         lengths = np.diff(np.append(starts, len(run)))
@@ -80,13 +89,12 @@ def products_of_runs(z, w, run, count):
         second = np.flatnonzero(place % 2)  # pair by pair, so that long runs take few rounds
         z[second - 1], w[second - 1] = product(taken((z, w), second - 1), taken((z, w), second))
         z, w, run = z[place % 2 == 0], w[place % 2 == 0], run[place % 2 == 0]
-    whole = np.ones(count, dtype=complex), np.zeros(count, dtype=complex)
-    whole[0][run[starts]], whole[1][run[starts]] = z[starts], w[starts]
+    of = run.take(starts)
+    whole[0][of], whole[1][of] = taken((z, w), starts)
     for number in range(1, int(lengths.max(initial=0))):
-        starts, lengths = starts[lengths > number], lengths[lengths > number]
-        of = run[starts]
+        longer = np.flatnonzero(lengths > number)
+        starts, lengths, of = starts.take(longer), lengths.take(longer), of.take(longer)
         whole[0][of], whole[1][of] = product(taken(whole, of), taken((z, w), starts + number))
-    return whole
 
 
 def level(z, w):
@@ -150,6 +158,8 @@ def along_paths(relative, parent, depth, start, asked, levels=None, bends=None, 
     if not len(parent):
         return relative
     waves = int(depth.max()) + 1
+    if levels is None and bends is None and waves == len(parent):
+        return taken(chain(relative, start), asked)
     if levels is None and bends is None and len(parent) < FEW * waves:
         return taken(by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves)))), asked)
     order, stops = np.argsort(narrow(depth), kind="stable"), np.cumsum(np.bincount(depth)).tolist()
@@ -187,6 +197,23 @@ def changed(change, which, pair):
     found = pair[0].copy(), pair[1].copy()
     found[0][which], found[1][which] = change(*taken(pair, which))
     return found
+
+
+def chain(relative, start):
+    """The same for one path: products within rows of tokens, in all rows at once, and then of rows."""
+    count = len(relative[0])
+    size = int(np.ceil(np.sqrt(count)))
+    rows = -(-count // size)
+    z, w = np.ones(rows * size, dtype=complex), np.zeros(rows * size, dtype=complex)
+    z[:count], w[:count] = relative
+    z, w = (np.ascontiguousarray(part.reshape(rows, size).T) for part in (z, w))
+    for number in range(1, size):
+        z[number], w[number] = product((z[number - 1], w[number - 1]), (z[number], w[number]))
+    before = empty(rows)
+    for row, last in enumerate(zip(z[-1].tolist(), w[-1].tolist(), strict=True)):
+        before[0][row], before[1][row] = start
+        start = product(start, last)
+    return tuple(part.T.ravel()[:count] for part in product(before, (z, w)))
 
 
 def by_blocks(relative, parent, depth, start, size):

@@ -177,10 +177,10 @@ class Walk:
         if self.stops:
             length = np.where(np.isin(self.symbols[self.moves], self.stops), 0.0, length)
         bounded(length if np.ndim(length) else length * self.count, np.sum, "go at most {} m in all")
-        if not self.spatial and self.along != "z":
+        if not self.spatial:
             plane = Plane(self)
             if np.ndim(length) or self.branched:
-                start, end = self.points(plane.ways(length))
+                start, end = self.points(plane.ways(length), column=plane.column)
             else:
                 start, end = plane.path(length)
             found = plane.quaternions
@@ -196,10 +196,12 @@ class Walk:
             start, end = self.cylinders.shaped(self, start, end, found())
         return Figure(self, start, end, found)
 
-    def points(self, *ways):
-        """Two (m, 3) float arrays: where moves begin and end that go ways, real ones along x or complex ones across."""
+    def points(self, *ways, column=0):
+        """Two (m, 3) float arrays: where moves begin and end that go ways, of one coordinate or complex ones of two.
+
+        The first of these is that of the column, the others follow.
+        """
         made = np.zeros((2, self.count, 3) if self.branched else (self.count + 1, 3))
-        column = 0
         for way in ways:
             width = way.itemsize // made.itemsize
             places = made[..., column : column + width].view(way.dtype)[..., 0]
