@@ -38,7 +38,26 @@ def capsule(p):
     return np.linalg.norm(p - np.column_stack((np.clip(p[:, 0], 0, 3), np.zeros((len(p), 2)))), axis=1) - 1
 
 
+CANAL = sw.CanalSurface(UP, "0.2 + 0.5*t")
+ROD = sw.CanalSurface(UP, 0.5, start="flat", end="flat")
+
+
+def balls_moved_aside(p):
+    """From the ball of radius 0.2 + s / 4 about (0, 0, s) that is nearest, from 0 to 2 m; all of them move along x."""
+    aside = np.hypot(p[:, 0] - np.clip(p[:, 0], 0, 3), p[:, 1])
+    s = np.clip(p[:, 2] + aside / np.sqrt(15), 0, 2)
+    return np.hypot(aside, p[:, 2] - s) - 0.2 - s / 4
+
+
+def rod_moved_aside(p):
+    across = np.hypot(p[:, 0] - np.clip(p[:, 0], 0, 3), p[:, 1]) - 0.5
+    along = np.abs(p[:, 2] - 1) - 1
+    return np.hypot(np.maximum(across, 0), np.maximum(along, 0)) + np.minimum(np.maximum(across, along), 0)
+
+
 TOLD = {
+    "a canal that grows": (sw.SweptSolid(CANAL, ASIDE), balls_moved_aside, 1e-3),
+    "a canal with flat ends": (sw.SweptSolid(ROD, ASIDE), rod_moved_aside, 1e-3),
     "a torus along its axis": (sw.SweptSolid(TORUS, UP), torus_moved_up, 1e-3),
     "a torus turned about a diameter": (
         sw.SweptSolid(TORUS, sw.RigidMotion(sw.trajectories.Line(end=(1e-9, 0, 0)), turn_x="pi*t")),
@@ -48,6 +67,33 @@ TOLD = {
     "a cone across its axis": (sw.SweptSolid(CONE, ASIDE), cone_moved_aside, 1e-3),
     "a half disc's ball": (sw.SweptSolid(BALL, ASIDE), capsule, 1e-6),
 }
+
+
+FAR = {
+    "torus": (TORUS, lambda p: np.hypot(np.hypot(p[:, 0], p[:, 1]) - 2, p[:, 2]) - 0.5),
+    "ball": (BALL, lambda p: np.linalg.norm(p, axis=1) - 1),
+    "canal": (CANAL, lambda p: balls_moved_aside(np.column_stack((-np.hypot(p[:, 0], p[:, 1]), 0 * p[:, 0], p[:, 2])))),
+    "rod": (ROD, lambda p: rod_moved_aside(np.column_stack((-np.hypot(p[:, 0], p[:, 1]), 0 * p[:, 0], p[:, 2])))),
+    "round rod": (
+        sw.GeneralizedCylinder(sw.contours.Circle(0.5), UP, start="round", end="round"),
+        lambda p: np.hypot(np.hypot(p[:, 0], p[:, 1]), p[:, 2] - np.clip(p[:, 2], 0, 2)) - 0.5,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FAR)
+def test_a_distance_is_exact_near_the_surface_and_nowhere_too_large(name):
+    shape, formula = FAR[name]
+    found = member(shape)
+    low, high = found.box
+    points = np.random.default_rng(4).uniform(1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low, (5000, 3))
+    distance, expected = found.distance(points), formula(points)
+    assert (np.sign(distance) == np.sign(expected)).all()
+    assert (np.abs(distance) < np.abs(expected) + 1e-8).all()
+    assert (distance > expected / 3)[expected > 0].all()
+    slope = np.stack([formula(points + step) - formula(points - step) for step in 1e-5 * np.eye(3)], axis=1) / 2e-5
+    near = points - (expected - np.random.default_rng(5).uniform(0, 0.005, len(points)))[:, None] * slope
+    assert np.abs(found.distance(near) - formula(near)).max() < 1e-8
 
 
 @pytest.mark.parametrize("name", TOLD)

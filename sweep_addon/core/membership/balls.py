@@ -12,7 +12,8 @@ from ..vectors import dot, norms
 from .bodies import told
 from .hash import Boxes
 from .labels import ON, OUT
-from .panels import PLACES, derivative, panels, powers, slopes
+from .least import Along
+from .panels import PLACES, at_both, derivative, panels, powers, slopes
 from .ways import PARTS, apart
 
 LOOKED = 65
@@ -26,6 +27,8 @@ class BallsBody:
 
     A point is as deep as it is in the ball of which it is deepest: the least of ``|P - t(s)| - r(s)``.
     """
+
+    overlaps = True
 
     def __init__(self, shape):
         self.is_sheet = shape.is_plane
@@ -87,16 +90,33 @@ class BallsBody:
     @cached_property
     def gaps(self):
         """By how much the depth can change between two places that are looked at, in each panel: (k,)."""
+        return np.diff(PLACES).max() * self.speeds
+
+    @cached_property
+    def speeds(self):
+        """By how much it can change in half of each panel: (k,)."""
         rates = np.einsum("kcj,ij->kic", self.panels.series, slopes(PLACES))
-        return ROOM * np.diff(PLACES).max() * (norms(rates[..., :3]) + np.abs(rates[..., 3])).max(axis=1)
+        return ROOM * (norms(rates[..., :3]) + np.abs(rates[..., 3])).max(axis=1)
+
+    def distance(self, points):
+        """How far points (n, 3) are from the balls, negative within, or a fair part of that: (n,)."""
+        return self.along.least(points, lambda some: BallsLook(self, points[some]))
+
+    @cached_property
+    def along(self):
+        """The chords of the way, and how far balls get from them."""
+        way = self.panels.series[:, :3]
+        start, end = at_both(way)
+        bent = norms(way[..., 2:].swapaxes(1, 2)).sum(axis=1)
+        radius = np.abs(self.panels.series[:, 3]).sum(axis=1)
+        return Along(start, end - start, 2 * bent + radius, np.ones(len(way), dtype=bool))
 
     def least(self, way, radius, gaps):
         """The least of |way| - radius in each panel, both series: (n, 3, ORDER), (n, ORDER) to (n,).
 
         Some places are looked at, and where they leave the sign open Newton's method goes on from the best of them.
         """
-        basis = powers(PLACES)
-        depth = np.sqrt((np.einsum("ncj,ij->nci", way, basis) ** 2).sum(axis=1)) - np.einsum("nj,ij->ni", radius, basis)
+        depth = depths(way, radius)
         best = depth.argmin(axis=1)
         least = depth[np.arange(len(best)), best]
         near = np.flatnonzero(np.abs(least) <= gaps)
@@ -120,3 +140,49 @@ class BallsBody:
             after = x - slope / np.where(bend > 0, bend, np.inf)
             x = np.where((bend > 0) & (after > low) & (after < high), after, (low + high) / 2)
         return least
+
+
+class BallsLook:
+    """Points and what may be nearest to them: what `Along.least` asks."""
+
+    def __init__(self, body, points):
+        self.body, self.points = body, points
+
+    def middle(self, point, panel):
+        """The distances in the middle of panels, and by how much they change in half of one: two (p,)."""
+        at = self.body.panels.at(panel, np.zeros(len(panel)))
+        return norms(self.points[point] - at[:, :3]) - at[:, 3], self.body.speeds[panel]
+
+    def pairs(self, point, panel):
+        """The same at all places."""
+        series = self.body.panels.series[panel]
+        way = -series[:, :3]
+        way[:, :, 0] += self.points[point]
+        return BallsPairs(self.body, way, series[:, 3], self.body.speeds[panel])
+
+
+class BallsPairs:
+    """Pairs of points and panels: the ways from the balls' middles, the radii, both series, and the speeds."""
+
+    is_smooth = True
+
+    def __init__(self, body, way, radius, gaps):
+        self.body, self.way, self.radius, self.gaps = body, way, radius, gaps
+
+    def kept(self, index):
+        """Some of the pairs."""
+        return BallsPairs(self.body, self.way[index], self.radius[index], self.gaps[index])
+
+    def grid(self):
+        """The distances from the balls at some places: (p, i)."""
+        return depths(self.way, self.radius)
+
+    def refined(self, place):
+        """The least distances near a place each: (p,)."""
+        return self.body.refined(self.way, self.radius, place, np.full(len(place), np.inf))
+
+
+def depths(way, radius):
+    """The lengths of ways less radii, both series, at some places: (n, 3, ORDER), (n, ORDER) to (n, i)."""
+    basis = powers(PLACES).T
+    return np.sqrt(((way @ basis) ** 2).sum(axis=1)) - radius @ basis

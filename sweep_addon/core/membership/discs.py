@@ -7,15 +7,21 @@ where the plane of the disc passes through it: h(s) = (x - t) . T + r r' is 0. W
 h may change its sign at once, and the discs turn through x on one ball.
 """
 
+from functools import cached_property
+
 import numpy as np
 
+from ..envelopes.balls import Balls
 from ..shapes.canal_surface import BallEnd
 from ..vectors import dot, norms
 from .balls import CHUNK, BallsBody
 from .hash import Boxes
-from .labels import IN, ON, OUT, TOUCHED
+from .labels import IN, ON, OUT, TOUCHED, decided
+from .moving_plane import MovingPlane
 from .panels import at_both
+from .plane_distance import PlaneDistance
 from .roots import all_roots, simple
+from .ways import of_canal
 
 PLACE, RADIUS, AXIS, ALONG = slice(0, 3), 3, slice(4, 7), 7  # channels
 TURNED = 1e-9  # what counts as a jump of the tangent, and of the largest radius of r r'
@@ -27,8 +33,11 @@ class DiscsBody(BallsBody):
     With an open end it is a sheet: the circles alone, what is left of the ball at a round end, the disc at a flat one.
     """
 
+    overlaps = True
+
     def __init__(self, shape):
         super().__init__(shape)
+        self.shape = shape
         self.is_circles = not shape.is_plane and BallEnd.OPEN in (shape.start, shape.end)
         self.ends = shape.start, shape.end
         if shape.is_plane:  # a region ends in the line, whether it is a face or none
@@ -47,6 +56,42 @@ class DiscsBody(BallsBody):
         with np.errstate(invalid="ignore"):
             grown = np.where(radius == 0, 0.0, radius * slope)
         return axis, dot(axis, balls.trajectory.evaluate(u)) - grown
+
+    def distance(self, points):
+        """How far points (n, 3) are from the discs and round ends, or less; negative inside, or less deep: (n,)."""
+        least = super().distance(points)
+        near = np.flatnonzero(least <= self.largest)
+        places = points[near]
+        labels = decided(self.labels(places, self.rounding), places, self.rounding, self)
+        inside = labels == IN
+        found = self.discs.unsigned(places, inside)
+        found[inside] = np.minimum(found[inside], self.discs.from_faces(places[inside]))
+        for at in self.balls:
+            far = norms(places - at[PLACE]) - at[RADIUS]
+            found = np.minimum(found, np.where(inside, np.abs(far), np.maximum(far, 0.0)))
+        least[near] = np.where(inside, -found, found)
+        return least
+
+    @cached_property
+    def largest(self):
+        """The largest radius."""
+        return float(np.abs(self.panels.series[:, RADIUS]).sum(axis=1).max())
+
+    @cached_property
+    def rounding(self):
+        """So near the boundary is on it, where only its side counts."""
+        return 1e-9 * float(norms(self.box[1] - self.box[0]))
+
+    @cached_property
+    def discs(self):
+        """The distance of the planar sweep of the discs."""
+        return PlaneDistance(MovingPlane(of_canal(self.shape, Balls(self.shape.trajectory, self.shape.radius))))
+
+    @cached_property
+    def balls(self):
+        """The balls at round ends and where discs turn at once: what is kept of them and of their spheres."""
+        ends = [at for end, at in zip(self.ends, self.outer, strict=True) if end is BallEnd.ROUND]
+        return ends + list(at_both(self.panels.series)[1][self.turning])
 
     def of_balls(self, points, tolerance):
         """IN, ON, OUT, or TOUCHED at a face, for points (n, 3): (n,) int8."""

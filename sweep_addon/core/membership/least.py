@@ -12,7 +12,8 @@ from ..vectors import dot, norms
 from .panels import PLACES
 
 APART = float(np.diff(PLACES).max()) / 2  # no place is farther from the nearest of these
-FAIR, CLOSE = 0.75, 0.95  # of the distance: a lower bound of more is told as it is, at first and in the end
+FAIR, EXACT = 0.75, 1.0  # of the distance: a lower bound of more is told as it is, at first and in the end
+NEAR = 0.01  # of the size: distances of less are told exactly
 CHUNK = 1 << 17  # pairs of points and runs of panels at a time
 MOST = 1 << 13  # points at a time
 
@@ -30,6 +31,7 @@ class Along:
 
     def __init__(self, start, chord, radius, whole):
         self.start, self.chord, self.radius, self.whole = start, chord, radius, whole
+        self.near = NEAR * float(norms(np.ptp(np.concatenate((start, start + chord)), axis=0)) + radius.max())
         squares = dot(chord, chord)
         self.squares = np.where(squares > 0, squares, 1.0)
         size = max(int(np.ceil(np.sqrt(len(start) / 2))), 1)
@@ -66,7 +68,7 @@ class Along:
         """The same of so few points that all pairs fit into memory."""
         point, panel, lower, most = self.candidates(points)
         found = np.full(len(points), np.inf)
-        point, kept = settled(found, point, lower, most, FAIR)
+        point, kept = self.settled(found, point, lower, most, FAIR)
         if not len(point):
             return found
         panel, lower = panel[kept], lower[kept]
@@ -75,14 +77,14 @@ class Along:
         value, gaps = look.middle(which, panel)
         np.minimum.at(most, point, value)
         lower = np.maximum(lower, value - gaps)
-        point, kept = settled(found, point, lower, most, FAIR)
+        point, kept = self.settled(found, point, lower, most, FAIR)
         if not len(point):
             return found
         pairs, lower = look.pairs(which[kept], panel[kept]), lower[kept]
         values = pairs.grid()
         np.minimum.at(most, point, values.min(axis=1))
         lower = np.maximum(lower, values.min(axis=1) - APART * pairs.gaps)
-        point, kept = settled(found, point, lower, most, CLOSE)
+        point, kept = self.settled(found, point, lower, most, EXACT)
         if len(point):
             pair, place = lowest(values[kept], most[point], pairs.gaps[kept], pairs.is_smooth)
             np.minimum.at(most, point[pair], pairs.kept(kept[pair]).refined(place))
@@ -103,6 +105,25 @@ class Along:
         np.minimum.at(most, point, np.where(self.whole[panel], far + radius, np.inf))
         return point, panel, far - radius, most
 
+    def settled(self, found, point, lower, most, fair):
+        """Of pairs, points rising, those that are left: their points, and which they are.
+
+        What is found is told where bounds agree: a negative value where it is a fair part of the least that it can be.
+        """
+        if not len(point):
+            return point, np.zeros(0, dtype=int)
+        first = np.flatnonzero(np.append(True, point[1:] != point[:-1]))
+        which = point[first]
+        least, upper = np.minimum.reduceat(lower, first), most[which]
+        done = np.where(
+            upper < 0, (upper <= fair * least) & (upper < -self.near), (least >= fair * upper) & (least > self.near)
+        )
+        found[which[done]] = np.where(upper < 0, upper, least)[done]
+        open_ = np.ones(len(found), dtype=bool)
+        open_[which[done]] = False
+        kept = np.flatnonzero(open_[point] & (lower < most[point]))
+        return point[kept], kept
+
 
 def lowest(values, most, gaps, is_smooth):
     """Of places with values (p, i) those from which less than the most may be found: pairs, and places.
@@ -119,21 +140,3 @@ def lowest(values, most, gaps, is_smooth):
         low[:, 1:] |= low[:, :-1] & between
         low[:, :-1] |= low[:, 1:] & between
     return np.nonzero(low)
-
-
-def settled(found, point, lower, most, fair):
-    """Of pairs, points rising, those that are left: their points and which they are; found is told where bounds agree.
-
-    A negative value is told where it is a fair part of the least that it can be.
-    """
-    if not len(point):
-        return point, np.zeros(0, dtype=int)
-    first = np.flatnonzero(np.append(True, point[1:] != point[:-1]))
-    which = point[first]
-    least, upper = np.minimum.reduceat(lower, first), most[which]
-    done = (least >= fair * upper) & (upper >= 0) | (upper <= fair * least) & (upper < 0)
-    found[which[done]] = np.where(upper < 0, upper, least)[done]
-    open_ = np.ones(len(found), dtype=bool)
-    open_[which[done]] = False
-    kept = np.flatnonzero(open_[point] & (lower < most[point]))
-    return point[kept], kept

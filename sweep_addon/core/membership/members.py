@@ -164,10 +164,9 @@ def deformed(shape):
 
 
 def canal(shape):
-    """All balls of a canal surface, or with ends that are not round its discs; its distance is that of its mesh."""
+    """All balls of a canal surface, or with ends that are not round its discs."""
     ends = () if shape.trajectory.closed else (shape.start, shape.end)
-    body = BallsBody(shape) if all(end is BallEnd.ROUND for end in ends) else DiscsBody(shape)
-    return Meshed(body, lambda: MeshBody(shape.solid()))
+    return (BallsBody if all(end is BallEnd.ROUND for end in ends) else DiscsBody)(shape)
 
 
 def offset(shape):

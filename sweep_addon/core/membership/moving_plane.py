@@ -51,7 +51,7 @@ class MovingPlane:
     is_sheet : bool
         Whether it is a surface without an inside, as the contour or an end is open.
     overlaps : bool
-        Whether places within it may be told to have no distance from the boundary, as it may meet itself there.
+        Whether its distance may be too small where that is not much, or 0 within, where it meets itself.
     """
 
     overlaps = True

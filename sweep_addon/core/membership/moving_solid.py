@@ -207,7 +207,7 @@ class MovingSolid:
     def from_solid(self, places, s, tolerance):
         """How far places (n, 3), as seen by the rigid motion, are from the solid, or less: (n,).
 
-        Within a tolerance it is no less. Of a solid that may tell 0 of what is within it labels tell the side there.
+        Within a tolerance it is no less. Where the solid may be told to be too near, labels tell what is so.
         """
         change = self.change
         found = change.distance(self.solid, places, s, tolerance) if change else self.solid.distance(places)

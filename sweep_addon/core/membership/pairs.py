@@ -6,7 +6,7 @@ import numpy as np
 
 from ..vectors import dot, norms
 from .figures import mapped, stretch
-from .panels import PLACES, derivative, powers
+from .panels import ORDER, PLACES, derivative, powers
 from .planes import NORMAL, SCALES, X, Y
 
 STEP = 1e-6  # of half a panel, over which slopes are taken
@@ -58,7 +58,7 @@ class Pairs:
     def of(cls, distance, places, inside, panel):
         """The pairs of places (p, 3) and panels."""
         held = distance.series[panel, : SCALES.stop if distance.kind else SCALES.start]
-        axes = held[:, : SCALES.start].reshape(len(panel), 3, 4, -1)
+        axes = held[:, : SCALES.start].reshape(len(panel), 3, 4, ORDER)
         terms = np.einsum("pi,pcij->pcj", places, axes[:, :, :3])
         terms -= axes[:, :, 3]
         if distance.kind:

@@ -18,12 +18,14 @@ from .least import Along
 from .loops import Loops
 from .one_by_one import nearest_of
 from .pairs import ALIKE, AS_IT_IS, LEANING, SCALED, Look, Pairs
-from .panels import PLACES, parted, powers
-from .planes import NORMAL, SCALES, X, Y
+from .panels import PLACES, at_both, derivative, parted, powers
+from .planes import NORMAL, SCALES, SPACE, X, Y
 from .reach import chords, speeds
+from .roots import real
 
 STRIDE, MOST = 0.5, 8  # of what the contour reaches: how far it moves in half a part of a panel, of so many at most
 ROOM = 1.1  # for what moves faster between the places that are looked at
+JUMP = 1e-6  # of a rate: what changes more at once jumps
 UPRIGHT = 1e-9  # what counts as no angle between axes, and as the same scale
 
 
@@ -41,10 +43,13 @@ class PlaneDistance:
         counts = np.clip(np.ceil(speeds(plane.panels) / (STRIDE * plane.reach)), 1, MOST).astype(int)
         self.panels, own = parted(plane.panels, counts)
         self.series, self.cuts = self.panels.series, plane.cuts[own]
-        self.folding = ~plane.planes.falling[own] & ~self.turning_about_lines()
+        parallel, about_lines = self.turning()
+        self.folding = ~plane.planes.falling[own] & ~about_lines
         last = np.cumsum(counts) - 1
-        self.ends = np.concatenate([np.stack((part[side], 0 * part[side] + end), axis=1) for part, side, end in (
-            (last - counts + 1, plane.outer[:, 0], -1), (last, plane.outer[:, 1], 1))])  # fmt: skip
+        self.smooth = int((self.panels.start < self.panels.end).sum())  # those beyond corners come last
+        begins, ends = (last - counts + 1)[plane.outer[:, 0]], last[plane.outer[:, 1]]
+        self.faces = [*((panel, -1.0) for panel in begins), *((panel, 1.0) for panel in ends)]
+        self.faces += [(int(panel), x) for panel, x in self.turned_back(plane.planes.falling[own], parallel)]
         self.is_cut, self.is_folded = bool(self.cuts.any()), bool(self.folding.any())
         self.frames = self.series[:, : SCALES.stop if self.kind else SCALES.start] @ powers(np.zeros(1))[0]
         gaps = ROOM * speeds(self.panels)
@@ -73,20 +78,49 @@ class PlaneDistance:
             found[inside] = -np.minimum(found[inside], self.from_faces(points[inside]))
         return found
 
+    def unsigned(self, points, inside):
+        """How far points (n, 3) are from the contours where they are inside, or the figures, or less: (n,)."""
+        return self.along.least(points, lambda some: Look(self, points[some], inside[some]))
+
+    def in_figure(self, points, panel, x):
+        """How far points (n, 3) are from the contour, with what is in it, at a place of a panel: (n,)."""
+        pairs = Pairs.of(self, points, np.zeros(len(points), dtype=bool), np.full(len(points), panel))
+        return pairs.at(np.full(len(points), float(x)))
+
     def from_faces(self, points):
-        """How far points (n, 3) within are from the faces at the ends and the planes that cut the sweep off: (n,)."""
+        """How far points (n, 3) within are from flat faces and the planes that cut the sweep off: (n,)."""
         least = np.full(len(points), np.inf)
         for limit in self.plane.way.limits:
             least = np.minimum(least, np.abs(dot(points - limit.point, limit.normal)))
-        for panel, end in self.ends:
-            pairs = Pairs.of(self, points, np.zeros(len(points), dtype=bool), np.full(len(points), panel))
-            least = np.minimum(least, pairs.at(np.full(len(points), float(end))))
+        for panel, x in self.faces:
+            least = np.minimum(least, self.in_figure(points, panel, x))
         return least
 
-    def turning_about_lines(self):
-        """In which panels all planes have a line in common, which is all that they turn back in: (k,) bool."""
+    def turning(self):
+        """In which panels all planes are parallel, and in which they have a line in common or are: two (k,) bool.
+
+        Such a line is all that they turn back in.
+        """
         planes = self.series[:, NORMAL] / np.array([1.0, 1.0, 1.0, np.abs(self.plane.box).max()])[:, None]
-        return np.linalg.svd(planes, compute_uv=False)[:, 2] <= UPRIGHT
+        parallel = np.abs(planes[:, :3, 1:]).sum(axis=(1, 2)) <= UPRIGHT
+        return parallel, np.linalg.svd(planes, compute_uv=False)[:, 2] <= UPRIGHT
+
+    def turned_back(self, falling, parallel):
+        """Where planes turn back with all of the figure, so that it is a boundary: panels and places in them, (p, 2).
+
+        That is so of parallel planes, and where the motion jumps.
+        """
+        panel = np.flatnonzero(parallel & ~falling)
+        which, x = real(derivative(self.series[panel, NORMAL.stop - 1]))
+        within = np.stack((panel[which], x), axis=1)
+        after = np.append(np.arange(1, self.smooth), 0 if self.plane.way.closed else self.smooth - 1)
+        space = at_both(self.series[: self.smooth, SPACE])[1].reshape(-1, 4, 3)
+        lengths = (self.panels.end - self.panels.start)[: self.smooth, None]
+        begin, end = (part / lengths for part in at_both(derivative(self.series[: self.smooth, NORMAL])))
+        arrive, leave = (dot(space, rate[:, None, :3]) - rate[:, None, 3] for rate in (end, begin[after]))
+        jumps = np.abs(arrive - leave).max(axis=1) > JUMP * np.abs(np.stack((arrive, leave))).max(axis=(0, 2))
+        back = np.flatnonzero(jumps & (arrive * leave <= 0).any(axis=1) & ~self.cuts[: self.smooth].any(axis=(1, 2)))
+        return np.concatenate((within, np.stack((back, np.ones(len(back))), axis=1)))
 
     @cached_property
     def skin(self):

@@ -16,7 +16,7 @@ from ..rings.limits import Plane
 from ..shapes.generalized_cylinder import section_of
 from ..shapes.translational_sweep import Reference
 from ..stations.bending import Bending
-from ..stations.frames import axes
+from ..stations.frames import RotationMinimizing, axes
 from ..stations.sampling import stations
 from ..stations.spans import spans
 from ..trajectories import Polyline
@@ -25,6 +25,7 @@ from ..vectors import norms, unit
 from .drawn import Drawn
 from .leaning import Leaning, leans
 from .regions import Level, Still, region
+from .smooth import Disc
 from .way import Carried, Corner, Dome, Limit, Way
 
 PARTS = 32  # panels at least, of a whole way
@@ -213,6 +214,21 @@ def of_planar(shape):
     breaks = apart(measure.at(shape.trajectory.joints()), measure.total)
     return Way(carried, breaks, closed, inside, PARTS, parameter=measure.parameter,
                faces=faces_of((shape.start, shape.end)))  # fmt: skip
+
+
+def of_canal(shape, balls):
+    """The way of the discs in which a `CanalSurface` touches the balls, or is a tip where a ball lies in the next."""
+    measure = balls.measure
+
+    def carried(s):
+        placed = stations(shape.trajectory, s)
+        e2, e3, _ = axes(RotationMinimizing(), placed, np.zeros(len(s)))
+        radius, slope = balls.radius(placed.u, s), np.clip(balls.slopes(placed.u, s)[0], -1.0, 1.0)
+        middle = placed.points - (radius * slope)[:, None] * placed.tangent
+        return Carried(middle, placed.tangent, e2, e3, np.tile((radius * np.sqrt(1 - slope**2))[:, None], 2))
+
+    breaks = measure.at(np.concatenate((shape.trajectory.joints(), balls.kinks.ravel())))
+    return Way(carried, apart(breaks, measure.total), bool(shape.trajectory.closed), Still(Disc(1.0)), PARTS)
 
 
 def figure(shape):
