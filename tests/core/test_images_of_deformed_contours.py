@@ -32,6 +32,18 @@ def test_a_taper_that_is_a_formula_has_one_image_for_each_point():
     np.testing.assert_allclose(found.images, images[some], atol=1e-12)
 
 
+def test_images_beside_a_contour_are_told_within_the_box_around_it():
+    """Of a thin angle iron most of the box is empty."""
+    iron = sw.contours.Outline([[(0, 0), (1, 0), (1, 0.02), (0.02, 0.02), (0.02, 1), (0, 1)]])
+    p = asked((0, 0, -0.5), (1, 1, 2.5), 8000)
+    found = sw.inverse_sweep(sw.GeneralSweep(iron, UP, deform_z="0.2*sin(12*x)*sin(12*y)"), p)
+    t = (p[:, 2] - 0.2 * np.sin(12 * p[:, 0]) * np.sin(12 * p[:, 1])) / 2
+    some = np.flatnonzero((t > 0) & (t < 1))
+    assert np.array_equal(found.point, some) and len(some) > 4000
+    np.testing.assert_allclose(found.u, t[some], atol=1e-12)
+    np.testing.assert_allclose(found.images, p[some, :2], atol=1e-12)
+
+
 def test_where_a_sweep_folds_a_point_has_two_images():
     """A place rises as 2 t - 3 t^2 (1 + x), so that t are the roots of a square equation."""
     p = asked((-0.3, -0.3, -1), (0.3, 0.3, 1))

@@ -13,6 +13,7 @@ import pytest
 from line_arc_outlines import inside_by_rays, random_outline
 
 import sweep_addon as sw
+from sweep_addon.core.membership.regions import region
 
 contours = sw.contours
 WASHER = contours.Outline([[(0.5, 0), (-0.5, 0)], [(0.2, 0), (-0.2, 0)]], [[1, 1], [1, 1]])
@@ -239,7 +240,6 @@ SIDES = {
 
 
 def offset(contour, side):
-    pytest.importorskip("manifold3d", reason="whether anything is left inside is asked of the offset's outline")
     return sw.OffsetSurface(contour, OFFSET, side)
 
 
@@ -303,6 +303,7 @@ def test_the_offset_of_lines_and_arcs_is_by_the_distance_from_them(seed, side):
 
 def test_curves_without_an_equation_have_an_arc_over_each_chord():
     """As the boundary of their offset has: the ends of its lines and arcs are on, and no wider ones."""
+    pytest.importorskip("manifold3d", reason="the boundary of an offset is asked of manifold3d")
     contour = contours.Aerofoil("4412", 1.0, 0.4)
     outline = offset(contour, "outside").outline()
     corners, _, bulges = outline.edges()
@@ -353,3 +354,79 @@ def test_contours_of_many_corners_are_told_in_their_plane(corners):
         near = place + 8e-3 * np.stack((np.cos(angle), np.sin(angle)), axis=1)
         around = np.any([inside(near - (x, 0)) for x in np.linspace(0, 1, 401)], axis=0)
         assert around.any() and not around.all()
+
+
+INNER = {  # radii of the largest circles in them
+    "circle": (contours.Circle(0.5, 6), 0.5),
+    "ellipse": (contours.Ellipse(0.6, 0.4, 6), 0.4),
+    "rectangle": (contours.Rectangle(1.0, 0.6), 0.3),
+    "washer": (WASHER, 0.15),
+    "triangle": (contours.Outline([[(0, 0), (3, 0), (0, 4)]]), 1.0),
+    "bracket": (contours.Outline([[(0, 0), (3, 0), (3, 1), (1, 1), (1, 4), (0, 4)]]), 2 - np.sqrt(2)),
+    "half a disc": (contours.Outline([[(0, -1), (0, 1)]], [[1, 0]]), 0.5),
+}
+
+
+@pytest.mark.parametrize("name", INNER)
+def test_an_offset_inside_is_refused_where_it_is_more_than_the_largest_circle(name):
+    """But for a thousandth, in which a ridge is not followed all along: then all points are out."""
+    contour, radius = INNER[name]
+    left = sw.OffsetSurface(contour, radius * (1 - 1e-9), "inside")
+    assert (sw.classify(left, lifted(plane(2000, -0.1, 0.1))) <= 0).all()
+    with pytest.raises(sw.ShapeError, match="^radius: must leave something of the area inside, got "):
+        sw.classify(sw.OffsetSurface(contour, radius * (1 + 1e-3), "inside"), [(0, 0, 0)])
+
+
+PLANAR = ("mixed_dimension_dangling_edges", "mixed_dimension_joined_by_an_edge")
+
+
+@pytest.mark.parametrize("name", PLANAR)
+def test_the_meshes_of_the_lecture_s_sweeps_in_a_plane_are_on(name):
+    """Vertices and middles of edges, also of loose ones, within what chords leave; a little beside the mesh nothing."""
+    shape = sw.presets.shape(name)
+    mesh = shape.mesh()
+    ends = mesh.vertices[mesh.edges]
+    assert (sw.classify(shape, ends[:, 0], 2e-6) == sw.classify(shape, ends[:, 1], 2e-6)).all()
+    assert (sw.classify(shape, mesh.vertices, 2e-6) == 0).all()
+    assert (sw.classify(shape, ends.mean(axis=1), 1e-3) == 0).all()
+    assert (sw.classify(shape, mesh.vertices + (0, 0, 1e-5), 2e-6) == -1).all()
+    loose = mesh.edges[np.bincount(mesh.topology.corner_edges, minlength=len(mesh.edges)) == 0]
+    beside = mesh.vertices[loose].mean(axis=1) + (0, 1e-5, 0)
+    assert len(loose) and (sw.classify(shape, beside, 2e-6) == -1).all()
+
+
+def test_what_lies_in_a_plane_may_be_placed_and_moved():
+    strip = sweep(contours.Rectangle(0.2, 0.4), 1.0)  # from x -0.1 to 1.1, y -0.2 to 0.2
+    p = np.random.default_rng(7).uniform((-0.3, -0.4, -0.2), (1.3, 0.4, 0.7), (5000, 3))
+    inside = (np.abs(p[:, 0] - 0.5) < 0.6) & (np.abs(p[:, 1]) < 0.2) & (p[:, 2] > 0) & (p[:, 2] < 0.5)
+    moved = sw.SweptSolid(strip, sw.trajectories.Line(end=(0, 0, 0.5)))
+    assert (sw.classify(moved, p) == np.where(inside, 1, -1)).all()
+    upright = sw.Placed(strip, [(1, 0, 0, 0), (0, 0, -1, 0.2), (0, 1, 0, 0)])  # its plane becomes y = 0.2
+    flat = p * (1, 0, 1) + (0, 0.2, 0)
+    within = (np.abs(p[:, 0] - 0.5) < 0.6) & (np.abs(p[:, 2]) < 0.2)
+    assert (sw.classify(upright, flat) == np.where(within, 0, -1)).all()
+    assert (sw.classify(upright, p) == -1).all()
+
+
+KEYHOLE = np.array(
+    [(-0.2, -1.0, 0.0), (0.2, -1.0, 0.0), (0.2, 0.0, 2.5), (-0.2, 0.0, 0.0)]
+)  # most of a circle on a bar
+BITTEN = np.array(
+    [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 2.0, 0.0), (0.3, 2.0, -2.0), (-0.3, 2.0, 0.0), (-1.0, 2.0, 0)]
+)
+
+
+@pytest.mark.parametrize(
+    "vertices", [KEYHOLE, BITTEN, *(random_outline(np.random.default_rng(k)) for k in (20, 21, 22))]
+)
+def test_a_prism_of_lines_and_arcs_is_as_far_as_its_contour(vertices):
+    """As the solids that move and trees ask it, with arcs of more than half a turn, and on lines through corners."""
+    size = np.ptp(vertices[:, :2], axis=0)
+    low = vertices[:, :2].min(axis=0)
+    p = plane(4000, low - 0.8 * size, low + 1.8 * size)
+    p[:400, 1], p[400:800, 0] = vertices[np.arange(400) % len(vertices), 1], vertices[np.arange(400) % len(vertices), 0]
+    found = region(contours.Outline([vertices[:, :2]], [vertices[:, 2]])).distance(*p.T)
+    np.testing.assert_allclose(np.abs(found), from_edges(p, vertices), atol=1e-12)
+    clear = np.abs(found) > 1e-8
+    beside = p + 1e-9  # a ray along the line of a corner would meet two edges there, or none
+    assert np.array_equal((found < 0)[clear], inside_by_rays(vertices, beside)[clear])

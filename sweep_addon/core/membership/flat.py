@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..contours import Mixed
+from ..declared.parameters import require
 from ..offsets.choices import Side
 from .labels import ON, OUT
 from .loops import Loops
@@ -13,6 +14,8 @@ from .strands import Strands
 from .swathes import RoundSwathe, Swathe
 
 STILL = np.zeros(2)
+CORNERS = np.array([(-1, -1), (-1, 1), (1, -1), (1, 1)])
+SQUARES, HALVINGS, MOST = 9, 24, 1 << 14  # a side at first, where it is looked what is left; and squares at most
 
 
 class Flat:
@@ -57,16 +60,39 @@ class Band:
 
     def far(self, points, tolerance):
         """How far points (n, 2) are from it, or less beside an edge of what is inside, 0 within: (n,)."""
-        if self.edges is None:
-            depth = self.area.distance(*points.T)
-            inside, far = depth < 0, np.abs(depth)
-        else:
-            inside = self.area.depth(points) < 0
-            far = self.edges.lattice(self.radius, tolerance).least(self.edges.apart, points)
+        inside, far = self.asked(points, tolerance)
         if self.side is Side.INSIDE:
             return np.where(inside, np.maximum(self.radius - far, 0.0), self.radius + far)
         within = inside & (self.side is Side.OUTSIDE)
         return np.where(within, 0.0, np.maximum(far - self.radius, 0.0))
+
+    def asked(self, points, tolerance):
+        """Whether points (n, 2) are in the area, and how far they are from its boundary.
+
+        Of what differs from the radius by more than the tolerance it need only be told whether it is more or less.
+        """
+        if self.edges is None:
+            depth = self.area.distance(*points.T)
+            return depth < 0, np.abs(depth)
+        return self.area.depth(points) < 0, self.edges.lattice(self.radius, tolerance).least(self.edges.apart, points)
+
+    def is_nothing(self):
+        """Whether surely no place of the area is as deep as the radius: squares that may have one are cut in four."""
+        low, high = self.area.box
+        step, place = (high - low) / SQUARES, np.arange(SQUARES) + 0.5
+        middles = low + step * np.stack(np.meshgrid(place, place), axis=-1).reshape(-1, 2)
+        for _ in range(HALVINGS):
+            inside, far = self.asked(middles, self.radius)
+            if (inside & (far >= self.radius)).any():
+                return False
+            deepest = np.where(inside, far, 0.0) + np.hypot(*step) / 2
+            middles, step = middles[deepest >= self.radius], step / 2
+            if not len(middles):
+                return True
+            if len(middles) > MOST:
+                break
+            middles = (middles[:, None] + step / 2 * CORNERS).reshape(-1, 2)
+        return False
 
 
 def swept(contour, start, end):
@@ -98,5 +124,8 @@ def parts(contour):
 
 
 def banded(contour, radius, side):
-    """What a disc visits that moves along the boundary of a closed contour: a `Flat`."""
-    return Flat(Band(curved(contour), radius, side))
+    """What a disc visits that moves along the boundary of a closed contour, on a side where anything is: a `Flat`."""
+    band = Band(curved(contour), radius, side)
+    left = side is not Side.INSIDE or not band.is_nothing()
+    require(left, "must leave something of the area inside", radius, "radius")
+    return Flat(band)

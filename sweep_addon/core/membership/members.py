@@ -12,7 +12,6 @@ from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
 from ..declared.parameters import at, require, spelled
 from ..declared.wording import titled
-from ..offsets.choices import Side
 from ..offsets.in_the_plane import require_closed
 from ..rings.ends import Flat
 from ..shapes.canal_surface import BallEnd, CanalSurface
@@ -178,10 +177,8 @@ def offset(shape):
 
 
 def in_plane(shape):
-    """The offset of a contour, which must leave something."""
+    """The offset of a closed contour."""
     require_closed(shape.body)
-    if shape.side is Side.INSIDE:
-        shape.outline()  # refuses what the mesh would
     return flat.banded(shape.body, shape.radius, shape.side)
 
 
