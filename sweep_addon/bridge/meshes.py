@@ -13,6 +13,7 @@ import bpy
 import numpy as np
 
 from .face_offsets import write_face_offsets
+from .own_arrays import Room
 
 TEXTURE = "UVMap"
 NAMES = (  # of what each key of a chart stands for
@@ -40,7 +41,12 @@ class Scratch(local):
 SCRATCH = Scratch()
 
 
-def write(mesh, made, topology="", texture=""):
+def room_for_places(mesh):
+    """Where the vertices of a mesh may be drawn that is written next: `Room` in it, or beside it."""
+    return Room(mesh.attributes["position"].data, "vector", 3) if mesh.is_editable and len(mesh.vertices) else None
+
+
+def write(mesh, made, topology="", texture="", room=None):
     """Write a mesh of arrays into a Blender mesh, as little of it as differs.
 
     Parameters
@@ -50,6 +56,8 @@ def write(mesh, made, topology="", texture=""):
     made : Mesh
     topology, texture : str
         What this function returned when the mesh was written before; what has not changed is not written again.
+    room : Room, optional
+        Where its vertices may have been drawn.
 
     Returns
     -------
@@ -59,16 +67,21 @@ def write(mesh, made, topology="", texture=""):
     """
     if not mesh.is_editable:
         return write_linked(mesh, made)
+    values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()
     count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
     if not count or made.topology.sizes != topology.partition(".")[0]:
+        values = values.copy() if room and room.holds(values) else values  # the mesh's own array will be another
         write_topology(mesh, made.topology, len(made.vertices))
+        room = None
         texture = ""
     elif made.topology.key != topology:
         for _ in range(2 if len(mesh.polygons) else 0):
             mesh.polygons[0].flip()  # there and back: Blender 4.5 forgets which faces it had found round each vertex
         write_joins(mesh, made.topology)
-    values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()
-    mesh.attributes["position"].data.foreach_set("vector", values)
+    if room and room.holds(values):
+        mesh.vertices[0].co = values[:3]  # so that Blender knows that vertices have moved, and measures them again
+    else:
+        mesh.attributes["position"].data.foreach_set("vector", values)
     write_texture(mesh, made.chart, texture.split("|") if texture.count("|") == 2 else ("", "", ""))
     mesh.update()
     sample = values.reshape(-1, 3)[sampled(len(made.vertices))]
@@ -156,7 +169,8 @@ def write_texture(mesh, chart, known):
     texture, along, across = (key if key != before else "" for key, before in zip(chart.keys, known, strict=True))
     if texture:
         layer = attribute(mesh, TEXTURE, "FLOAT2", "CORNER")
-        layer.data.foreach_set("vector", chart.uv(np.float32, SCRATCH.array).ravel())
+        room = Room(layer.data, "vector", 2, SCRATCH.array)
+        room.fill(chart.uv(np.float32, room).ravel())
     values = (chart.along(np.float32) if along else {}) | (chart.across(np.float32) if across else {})
     for name, array in values.items():
         kind = "FLOAT" if array.ndim == 1 else "QUATERNION"

@@ -9,6 +9,7 @@ from ..bridge import meshes, objects
 from ..core.declared.parameters import ShapeError
 from ..core.declared.plain import VERSION
 from ..core.later import later
+from ..core.shapes.generalized_cylinder import GeneralizedCylinder
 
 texts, reading = later("bridge.texts"), later("properties.reading")
 joined = later("core.meshes.joining", "joined")
@@ -42,7 +43,8 @@ def rebuild(mesh, depsgraph=None):
         wanted, later = digest(shapes), waits(depsgraph)
         if wanted == sweep.made and not sweep.error and (later or not sweep.solid):
             return
-        made = [(surface if later else mesh_of)(shape) for shape in shapes]
+        room = meshes.room_for_places(mesh) if len(shapes) == 1 else None
+        made = [(surface if later else mesh_of)(shape, room) for shape in shapes]
     except ShapeError as error:
         set_if_other(sweep, "error", str(error))
         return
@@ -52,7 +54,7 @@ def rebuild(mesh, depsgraph=None):
             set_if_other(sweep, name, value)
         return
     made = joined(made)
-    put(mesh, made, wanted, AWAITED if later and any(map(wants_solid, shapes)) else "")
+    put(mesh, made, wanted, room, AWAITED if later and any(map(wants_solid, shapes)) else "")
 
 
 def source_of(mesh, depsgraph):
@@ -64,11 +66,14 @@ def source_of(mesh, depsgraph):
     return mesh if stale else evaluated
 
 
-def put(mesh, made, wanted, solid=""):
-    """Write what was made of a mesh's parameters, whose digest is given, and whether their solid is still awaited."""
+def put(mesh, made, wanted, room=None, solid=""):
+    """Write what was made of a mesh's parameters, whose digest is given, and whether their solid is still awaited.
+
+    Its vertices may have been drawn where there was room for them.
+    """
     sweep = mesh.sweep
     known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
-    sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known)
+    sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known, room)
     if objects.is_grown(mesh):
         for _ in range(len(mesh.materials), int(made.topology.material.max(initial=0)) + 1):
             mesh.materials.append(None)  # a slot of each colour, for people to fill
@@ -87,12 +92,15 @@ def wants_solid(shape):
     return getattr(shape, "make_solid", False)
 
 
-def surface(shape):
+def surface(shape, room=None):
     """The mesh of a shape, without what takes long; None where nothing can be made at once."""
-    return shape.surface(dtype=np.float32) if wants_solid(shape) else mesh_of(shape)
+    return shape.surface(dtype=np.float32) if wants_solid(shape) else mesh_of(shape, room)
 
 
-def mesh_of(shape):
+def mesh_of(shape, room=None):
+    """The mesh of a shape, its vertices where there is room if drawing them is the last that is done."""
+    if room and isinstance(shape, GeneralizedCylinder) and not shape.make_solid:
+        return shape.surface(np.float32, room)
     return shape.mesh(dtype=np.float32)
 
 

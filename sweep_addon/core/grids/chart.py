@@ -48,6 +48,8 @@ class Chart:
     @cached_property
     def keys(self):
         """Three short texts that differ where the texture, and attributes along and across, do; empty for none."""
+        if self.texture is Texture.NONE and not self.named:
+            return "", "", ""
         along, across = checksum(self.u, self.s), checksum(self.around, *self.ends)
         texture = "" if self.texture is Texture.NONE else self.texture.name + along + across
         return (texture, along, across) if self.named else (texture, "", "")

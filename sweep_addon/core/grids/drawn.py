@@ -8,7 +8,7 @@ from ..declared.parameters import require
 from ..vectors import product
 
 
-def drawn(grid, weights, rings, dtype):
+def drawn(grid, weights, rings, dtype, empty=np.empty):
     """The vertices, column by column, then tips, then poles: one matrix product of the section with the rings.
 
     Parameters
@@ -19,8 +19,9 @@ def drawn(grid, weights, rings, dtype):
     rings : (k, n, 3) float array
         What has these weights at each station: the place of the section's origin, its axes, or more.
     dtype : numpy dtype
-
         Single or double precision; anything else is refused.
+    empty : callable
+        Gives room for a number of coordinates and a dtype.
 
     Returns
     -------
@@ -30,7 +31,7 @@ def drawn(grid, weights, rings, dtype):
     whole = rings[:, grid.whole] if grid.tips else rings
     lines = weights[grid.lines] if grid.poles else weights
     ringed = len(lines) * whole.shape[1]
-    vertices = np.empty((ringed + len(grid.tips) + len(grid.poles), 3), dtype)
+    vertices = empty(3 * (ringed + len(grid.tips) + len(grid.poles)), dtype).reshape(-1, 3)
     axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
     product(lines.astype(dtype, order="C"), axes, vertices[:ringed].reshape(len(lines), -1))
     vertices[ringed:] = np.concatenate((rings[0, list(grid.tips)], weights[list(grid.poles)] @ rings[:, 0]))

@@ -118,12 +118,17 @@ class GeneralizedCylinder(Operand):
             return self.solid().astype(dtype)
         return self.surface(dtype)
 
-    def surface(self, dtype=np.float64):
-        """The surface that the contour leaves, also where it meets itself: a `Mesh`."""
+    def surface(self, dtype=np.float64, empty=np.empty):
+        """The surface that the contour leaves, also where it meets itself: a `Mesh`.
+
+        Its vertices are drawn, when nothing can be refused any more, into what ``empty`` gives for a number of
+        coordinates and a dtype.
+        """
         swept = self.swept()
         grid = swept.chart.grid
-        vertices = drawn(grid, affine(swept.shape), swept.rings, dtype)
-        return Mesh(vertices, grid.topology(), swept.chart, swept.told)
+        topology = grid.topology()
+        vertices = drawn(grid, affine(swept.shape), swept.rings, dtype, empty)
+        return Mesh(vertices, topology, swept.chart, swept.told)
 
     def self_intersections(self):
         """Where the sweep meets itself, and up to which size it does not.
