@@ -27,7 +27,7 @@ class Flat:
         With ``far(points, tolerance)`` and a ``box`` in the plane.
     """
 
-    is_sheet = True
+    is_sheet, overlaps = True, False
 
     def __init__(self, figure):
         self.figure, self.box = figure, np.column_stack((figure.box, np.zeros(2)))
