@@ -242,3 +242,15 @@ def test_a_tube_without_ends_that_moves_across_is_its_skins_way():
     off = np.minimum.reduce([np.abs(np.hypot(x - a, z) - 0.3) for a in (0, 0.4)])
     clear = (off > 1e-3) & (np.abs(np.abs(z) - 0.3) > 1e-3) & (np.abs(np.abs(y) - 1) > 1e-6)
     assert (sw.classify(shape, points) == np.where(inside, 1, -1))[clear].all()
+
+
+def test_what_a_sheet_leaves_may_move_once_more_and_be_an_operand():
+    """A square moved up and then aside is a block; less another block it is an angle."""
+    twice = sw.SweptSolid(sw.SweptSolid(SQUARE, UP), sw.trajectories.Line(end=(1, 0, 0)))
+    points = np.random.default_rng(11).uniform((-0.2, -0.2, -0.2), (2.2, 1.2, 1.2), (300, 3))
+    far = (np.abs(points - (1, 0.5, 0.5)) - (1, 0.5, 0.5)).max(axis=1)
+    clear = np.abs(far) > 2e-3
+    assert (sw.classify(twice, points, 1e-3) == np.sign(-far))[clear].all()
+    less = sw.SweptSolid(SQUARE, UP) - sw.solids.Block(1.0, 3.0, 3.0)
+    far = np.maximum((np.abs(points - 0.5) - 0.5).max(axis=1), 0.5 - points[:, 0])
+    assert (sw.classify(less, points) == np.sign(-far)).all()

@@ -25,6 +25,7 @@ from .sides import Seen
 ROUNDS = 40  # of halving, where a way crosses the sheet
 DOUBLINGS = 64  # of steps away from a contact
 SIDES = 9  # places of a contact where the rim is looked for
+SURE = 1e-9  # of the size: what it has passed over by so much is inside
 WIDER = 2.0  # times as far as at its ends a way may be seen to lead, of a sheet that is scaled
 
 
@@ -76,7 +77,7 @@ class MovingSheet(MovingSolid):
         sizes = np.append(np.ones(9), np.full(3, self.size))
         jumps = np.flatnonzero((np.abs(begun[1:] - ended[:-1]) > SAME * sizes).any(axis=1))
         self.jumps = np.concatenate(([0.0], self.panels.start[jumps + 1], [self.total]))
-        self.back = back and len(self.jumps) == 2
+        self.back, self.overlaps = back and len(self.jumps) == 2, True
 
     def from_solid(self, places, s, tolerance):
         """Half of how much farther than a tolerance places are from the sheet: so much is left on both of its sides."""
@@ -109,6 +110,11 @@ class MovingSheet(MovingSolid):
             some = slice(start, start + CHUNK)
             labels[some] = self.passed(points[some] - self.middle, tolerance)
         return labels
+
+    def distance(self, points):
+        """How far points (n, 3) are from all poses, or less, and 0 where the sheet has passed over them: (n,)."""
+        inside = self.labels(points, SURE * self.size) == IN
+        return np.where(inside, 0.0, super().distance(points))
 
     def passed(self, places, tolerance):
         """The labels of so few places about the middle that all fit into memory."""

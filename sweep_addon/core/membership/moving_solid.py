@@ -213,9 +213,10 @@ class MovingSolid:
         found = change.distance(self.solid, places, s, tolerance) if change else self.solid.distance(places)
         near = np.flatnonzero(np.abs(found) <= tolerance) if self.overlaps and tolerance else ()
         if len(near):
-            own, room = places[near], tolerance
+            own, room, away = places[near], tolerance, 0.0
             if change:
-                own, room = change.back(own, s[near] if np.ndim(s) else s).places, tolerance / change.largest
-            labels = decided(self.solid.labels(own, room), own, room, self.solid)
+                own, _, _, away = change.back(own, s[near] if np.ndim(s) else s)
+                room = tolerance / change.largest
+            labels = np.where(away, ON, decided(self.solid.labels(own, room), own, room, self.solid))
             found[near] = np.where(labels == ON, found[near], -BEYOND * tolerance * labels)
         return found

@@ -32,8 +32,8 @@ def least_between(function, low, high, tolerance, enough):
     --------
     >>> centres = np.array([0.3, 0.6])
     >>> least, place = least_between(lambda k, s: (s - centres[k]) ** 2, np.zeros(2), np.ones(2), 0.0, 1e-6)
-    >>> np.abs(place - centres).max() < 1e-3
-    np.True_
+    >>> bool(np.abs(place - centres).max() < 1e-3)
+    True
     """
     every = np.arange(len(low))
     places = np.stack((low, high - GOLDEN * (high - low), low + GOLDEN * (high - low), high))

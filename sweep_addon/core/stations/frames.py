@@ -28,6 +28,7 @@ transport = later("core.stations.transport", "transport")
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
 
 PLACES = 2049  # where it is looked at how a frame turns
+CONTINUED = 1024  # places from each of which to the next a frame is continued
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
@@ -181,6 +182,32 @@ Frame = RotationMinimizing | Frenet | FixedUp
 
 def __dir__():
     return __all__  # what a console offers
+
+
+def among(frame, s, total):
+    """Arc lengths, and among them as many more as a frame takes that each place continues from those before it.
+
+    A Frenet frame turns by half about where the curvature vanishes, which is told from one place to the next.
+
+    Parameters
+    ----------
+    frame : RotationMinimizing, Frenet or FixedUp
+    s : (n,) float array
+        In metres, the first of them 0.
+    total : float
+        The length of the trajectory.
+
+    Returns
+    -------
+    every : (k,) float array
+        Rising where there are more.
+    which : slice or (n,) int array
+        Where the arc lengths are in it.
+    """
+    if not isinstance(frame, Frenet):
+        return s, slice(None)
+    every = np.unique(np.concatenate((s, np.linspace(0.0, total, CONTINUED, endpoint=False))))
+    return every, np.searchsorted(every, s)
 
 
 def axes(frame, stations, twist, symmetry=1):
