@@ -86,7 +86,10 @@ def test_random_words_are_drawn_as_by_the_reference(letters, upright, draws):
         assert figure.colour == pytest.approx([segment["colour"] for segment in segments], rel=1e-12)
 
 
-@pytest.mark.parametrize("tropism", [None, (0.0, 0.0, -1.0, 0.22), (1.0, -2.0, 0.5, -0.3)])
+@pytest.mark.parametrize(
+    "tropism",
+    [None, (0.0, 0.0, -1.0, 0.22), (1.0, -2.0, 0.5, -0.3), (-3.0, 0.0, 0.0, 0.4), (-1.0, 0.2, 0.1, 0.3)],
+)
 def test_levelled_and_bent_words_are_drawn_as_by_the_reference(tropism, draws):
     """Each $ divides errors by the sine of the heading's angle to the vertical: that is the tolerance."""
     draw = np.random.default_rng(8)
@@ -115,6 +118,20 @@ def test_polygons_and_organs_are_those_of_the_reference(letters, draws):
         found = sorted(found, key=lambda each: each[1])
         assert [(name, scale) for name, _, _, scale in found] == [(name, scale) for name, _, scale in told[1]]
         assert all(np.abs(a[2] - b[1]).max() < 1e-11 for a, b in zip(found, told[1], strict=True))
+
+
+@pytest.mark.parametrize("letters", ["F+-[[]]", "F+-|[[]]", "F+-&/[[]]", "F+&/$[[]]"])
+@pytest.mark.parametrize("upright", [False, True])
+def test_branches_in_which_nothing_moves_change_nothing(letters, upright, draws):
+    draw, left_out = np.random.default_rng(15), 0
+    for _ in range(draws // 2):
+        modules = random_word(draw, letters, draw.integers(0, 120))
+        figure, segments, _ = compared(modules, upright)
+        loss = np.array([segment["loss"] for segment in segments])
+        assert (errors(figure, segments) < 1e-12 / loss).all()
+        assert figure.width == pytest.approx([segment["width"] for segment in segments], rel=1e-12)
+        left_out += figure.walk.branched and figure.walk.limbs.stays is not None
+    assert left_out > draws // 4
 
 
 def test_long_paths_are_drawn_as_by_the_reference():
