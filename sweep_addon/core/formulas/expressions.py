@@ -156,7 +156,8 @@ def result(steps, values):
     """What planned steps come to, in the order of a stack."""
     stack = []
     for step in steps:
-        if isinstance(step, tuple):
+        kind = type(step)
+        if kind is tuple:
             function, count = step
             if count == 2:  # as most have
                 second = stack.pop()
@@ -164,7 +165,7 @@ def result(steps, values):
             else:
                 stack[-count:] = [function(*stack[-count:])]
         else:
-            stack.append(values[step] if isinstance(step, str) else step)
+            stack.append(values[step] if kind is str else step)
     return stack[0]
 
 

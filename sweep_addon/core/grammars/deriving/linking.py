@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How productions leave the neighbours of modules, and what modules do by the kinds of these and their own."""
 
+from itertools import product
+
 import numpy as np
 
 from ..text.modules import CLOSE, OPEN
@@ -96,7 +98,7 @@ class Lookup:
         self.table[:] = np.arange(count, dtype=np.uint16)[None, :, None]
         self.lists, known = [], {}
         for symbol, choices in rules.choices.items():
-            for left, right in np.ndindex(count, count):
+            for left, right in product(range(count), repeat=2):
                 tries = self.tries(choices, left, right)
                 if tries and self.renames(tables, symbol, tries[0]):
                     self.table[left, symbol, right] = tries[0][0].templates[0].symbols[0]

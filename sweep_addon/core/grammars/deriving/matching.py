@@ -152,7 +152,7 @@ def matched(site, choice, links, known, check):
         site = with_context(site, choice, links)
     if choice.condition is not None:
         holds = answer(site.values(choice.condition, choice.sources, asking=True), choice, site, site.moment)
-        if np.ndim(holds):
+        if isinstance(holds, np.ndarray):
             holds = holds.nonzero()[0]
             return holds if found is None else found[holds], site.keep(holds) if len(holds) else site
         if not holds:

@@ -121,7 +121,7 @@ class Pool:
         lookup = self.lookup(rules)
         symbols = self.symbols[: self.count]
         size = self.none + 1
-        key = symbols.take(self.left[: self.count]).astype(np.uint32)
+        key = symbols.take(self.left[: self.count]).astype(np.intp)
         key *= size
         key += symbols
         key *= size
