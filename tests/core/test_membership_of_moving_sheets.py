@@ -254,3 +254,31 @@ def test_what_a_sheet_leaves_may_move_once_more_and_be_an_operand():
     less = sw.SweptSolid(SQUARE, UP) - sw.solids.Block(1.0, 3.0, 3.0)
     far = np.maximum((np.abs(points - 0.5) - 0.5).max(axis=1), 0.5 - points[:, 0])
     assert (sw.classify(less, points) == np.sign(-far)).all()
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 0.02])
+def test_with_open_ends_a_square_leaves_the_sides_of_a_block(tolerance):
+    """And where one end is flat, its face there."""
+    points = np.random.default_rng(12).uniform(-0.2, 1.2, (3_000, 3))
+    points[:600, 0] = 1.0
+    points[600:1200, 2] = 0.0
+    x, y, z = points.T
+    level = np.maximum(np.maximum(-z, z - 1), 0)
+    edges = np.maximum(np.abs(x - 0.5), np.abs(y - 0.5)) - 0.5
+    out = np.hypot(np.maximum(np.abs(x - 0.5) - 0.5, 0), np.maximum(np.abs(y - 0.5) - 0.5, 0))
+    sides = np.hypot(np.where(edges > 0, out, -edges), level)
+    floor = np.hypot(out, z)
+    for start, far in (("open", sides), ("flat", np.minimum(sides, floor))):
+        labels = sw.classify(sw.GeneralSweep(SQUARE, UP, start=start, end="open"), points, tolerance)
+        assert (labels[far < 0.5 * tolerance] == 0).all()
+        assert (labels[far > 1.5 * tolerance] == -1).all()
+        assert (labels == 0).sum() > 300
+
+
+def test_vertices_of_a_surface_that_an_open_sweep_leaves_are_on():
+    scaled = {"scale_x": "1 - 0.5*t", "turn_z": "t", "deform_z": "z + 0.3*t*x*(1 - x)"}
+    shape = sw.GeneralSweep(SHEETS["a wave"], sw.trajectories.Arc(1.0, 2.0), start="open", end="open", **scaled)
+    vertices = shape.mesh().vertices
+    vertices = vertices[:: max(len(vertices) // 200, 1)]
+    assert (sw.classify(shape, vertices, 1e-7) == 0).all()
+    assert (sw.classify(shape, vertices + (0, 0, 5.0), 1e-7) == -1).all()

@@ -31,6 +31,7 @@ from .deformed import DeformedBody
 from .deforming import Deforming
 from .discs import DiscsBody
 from .moving_plane import MovingPlane
+from .moving_rim import MovingRim
 from .moving_sheet import MovingSheet
 from .moving_solid import MovingSolid
 from .prisms import Meshed, Prism
@@ -140,12 +141,13 @@ def general(shape):
 
 
 def surface(shape):
-    """The sweep of a surface, which stands at both ends."""
+    """The sweep of a surface, which stands at the ends that are not open."""
     motion, mesh = shape.motion, shape.swept().generator
-    if not all(isinstance(end, Flat) for end in (shape.start, shape.end)):
-        return meshed(shape.mesh())
-    sheet = Sided(mesh)
-    return MovingSheet(sheet, motion, motion.comes_back(mesh.vertices), change(motion, sheet.box))
+    sheet, back = Sided(mesh), motion.comes_back(mesh.vertices)
+    stands = tuple(isinstance(end, Flat) for end in (shape.start, shape.end))
+    if back or all(stands):
+        return MovingSheet(sheet, motion, back, change(motion, sheet.box))
+    return MovingRim(sheet, motion, stands, change(motion, sheet.box))
 
 
 def change(motion, box):

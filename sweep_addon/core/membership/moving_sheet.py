@@ -197,10 +197,14 @@ class MovingSheet(MovingSolid):
         """Where pieces of ways are nearest, and whether that is within the tolerance: two (k,)."""
         places = places[ways.point]
 
-        def beyond(which, s):
-            return np.abs(self.at_times(places[which], s, tolerance).value) - tolerance
+        exact = 0.0 if self.change else tolerance  # a bound that is exact in places alone leads astray
 
-        least, s = least_between(beyond, ways.low, ways.high, 0.0, 0.0)
+        def beyond(which, s):
+            return np.abs(self.at_times(places[which], s, exact).value) - exact
+
+        least, s = least_between(beyond, ways.low, ways.high, tolerance - exact, 0.0)
+        if self.change:
+            least = np.abs(self.at_times(places, s, tolerance).value) - tolerance
         return s, least <= 0
 
     def contact(self, places, s, speed, tolerance):

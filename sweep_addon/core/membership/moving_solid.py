@@ -188,10 +188,13 @@ class MovingSolid:
     def searched(self, places, low, high, tolerance, enough):
         """The least distance between two places of the way, as far as it decides something: (n,)."""
 
-        def far(which, s):
-            return self.at(places[which], s, tolerance)
+        exact = 0.0 if self.change else tolerance  # a bound that is exact in places alone leads astray
 
-        return least_between(far, low, high, tolerance, enough)[0]
+        def far(which, s):
+            return self.at(places[which], s, exact)
+
+        least, s = least_between(far, low, high, tolerance, enough)
+        return self.at(places, s, tolerance) if self.change else least
 
     def at(self, places, s, tolerance):
         """How far places about the middle, (n, 3), are from the solid when it has come so far: (n,)."""

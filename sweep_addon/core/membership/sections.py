@@ -5,7 +5,7 @@
 import numpy as np
 
 GOLDEN = (np.sqrt(5) - 1) / 2
-STEPS = 24
+STEPS = 40
 SURE = 0.25  # of how far a value is from what would change a label: what differs by less between places is known
 
 
