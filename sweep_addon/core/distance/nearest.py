@@ -9,7 +9,7 @@ from ..vectors import norms
 from .tree import FAN
 from .triangles import closest, squared_distances
 
-CHUNK = 1024  # points whose pairs with nodes, of eleven numbers each, fit into a processor's own cache
+CHUNK = 1024  # points whose pairs with nodes, of eighteen numbers each, fit into a processor's own cache
 RELATIVE, ABSOLUTE = 4e-6, 1e-6  # of distances and of the size: rounding in single precision, with room
 
 
@@ -93,20 +93,24 @@ def leaves(tree, near, bound, room):
     """Pairs of points and leaves, among whose triangles is the nearest one of each: two (p,) arrays, points rising."""
     count, each = near.shape[1], tree.levels[-1].shape[1]
     point, node = np.arange(count), np.zeros(count, dtype=np.int64)  # all below one root
-    for slabs in reversed(tree.levels):
-        below, owner = runs(slabs, each, node), np.repeat(point, each)
-        px, py, pz = near.take(owner, axis=1)
-        cx, cy, cz, nx, ny, nz, radius, thickness, sx, sy, sz = below
-        sx, sy, sz = px - sx, py - sy, pz - sz
-        upper = lowest(sx * sx + sy * sy + sz * sz, point, count)
+    for boxes in reversed(tree.levels):
+        owner = np.repeat(point, each)
+        places = near.take(owner, axis=1)
+        centre, first, second, third, half, sample = runs(boxes, each, node).reshape(6, 3, -1)
+        sample -= places
+        upper = lowest(inner(sample, sample), point, count)
         bound = np.minimum(bound, np.sqrt(upper) * np.float32(1 + RELATIVE) + room)
-        cx, cy, cz = px - cx, py - cy, pz - cz
-        height = np.abs(cx * nx + cy * ny + cz * nz)
-        across = np.sqrt(np.maximum(cx * cx + cy * cy + cz * cz - height * height, 0))
-        across, height = np.maximum(across - radius, 0), np.maximum(height - thickness, 0)
-        kept = np.flatnonzero(across * across + height * height <= (bound * bound).take(owner))
+        centre -= places
+        beyond = [np.abs(inner(centre, axis)) - size for axis, size in zip((first, second, third), half, strict=True)]
+        x, y, z = (np.maximum(part, 0, out=part) for part in beyond)
+        kept = np.flatnonzero(x * x + y * y + z * z <= (bound * bound).take(owner))
         point, node, each = owner.take(kept), within(node, each, kept), FAN
     return point, node
+
+
+def inner(a, b):
+    """The products of vectors with one another, (3, n) twice to (n,)."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def runs(rows, each, which):

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A balanced tree of triangles: every node has four children, or a few triangles, and a slab that holds them."""
+"""A balanced tree of triangles: every node has four children, or a few triangles, and a box that holds them."""
 
 from functools import cached_property
 
 import numpy as np
 
 from ..declared.frozen import individual
+from ..stations.rotations import any_normal
 from ..vectors import cross, dot, norms, unit
 from .triangles import placed
 
@@ -28,8 +29,8 @@ class Tree:
         What the single-precision arrays are measured from.
     order : (s, k) int array
         The triangles of each leaf; some are in several places.
-    levels : tuple of (11, n) float32 arrays
-        Of each node, leaves first: centre, normal, radius and half the thickness of the slab, and a point of a
+    levels : tuple of (18, n) float32 arrays
+        Of each node, leaves first: the centre of the box, its three axes and half its size along each, and a point of a
         triangle. Components are rows, as arithmetic on many nodes likes them.
 
     Examples
@@ -53,7 +54,7 @@ class Tree:
         corners : (f, 3, 3) float array
         largest : float
             Triangles that reach farther from their centroid are cut into smaller ones for the search, in metres: one
-            long triangle would make the slabs of all its neighbours large.
+            long triangle would make the boxes of all its neighbours large.
         """
         pieces, own = cut(corners, largest)
         order = ordered(pieces.mean(axis=1))
@@ -61,10 +62,10 @@ class Tree:
         low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
         middle = (low + high) / 2
         pieces = pieces - middle
-        levels = [slabs(pieces)]
+        levels = [boxes(pieces)]
         while levels[-1].shape[1] > TOP:
             pieces = pieces.reshape(-1, FAN * pieces.shape[1], 3, 3)
-            levels.append(slabs(pieces))
+            levels.append(boxes(pieces))
         return cls(corners, middle, own, tuple(levels))
 
     @cached_property
@@ -113,17 +114,24 @@ def ordered(places):
     return order.reshape(-1, each)
 
 
-def slabs(pieces):
-    """A disc with a thickness about each group of triangles (n, k, 3, 3): (11, n) float32 array."""
-    normals = cross(pieces[:, :, 1] - pieces[:, :, 0], pieces[:, :, 2] - pieces[:, :, 0]).sum(axis=1)
-    normals = unit(normals)
+def boxes(pieces):
+    """A box about each group of triangles (n, k, 3, 3), flat as they are and along them: (18, n) float32 array."""
+    normals = unit(cross(pieces[:, :, 1] - pieces[:, :, 0], pieces[:, :, 2] - pieces[:, :, 0]).sum(axis=1))
+    normals[~normals.any(axis=1)] = (0.0, 0.0, 1.0)
     points = pieces.reshape(len(pieces), -1, 3)
-    centres = (points.min(axis=1) + points.max(axis=1)) / 2
+    middle = points.mean(axis=1)
+    away = points - middle[:, None]
+    x = any_normal(normals)
+    y = cross(normals, x)
+    u, v = (away @ axis[:, :, None] for axis in (x, y))
+    turn = np.arctan2(2 * (u * v).sum(axis=1), (u * u - v * v).sum(axis=1)) / 2  # to where they are longest
+    x = np.cos(turn) * x + np.sin(turn) * y
+    axes = np.stack((x, cross(normals, x), normals), axis=1)
+    along = away @ axes.swapaxes(1, 2)
+    low, high = along.min(axis=1), along.max(axis=1)
+    centres = middle + ((low + high)[:, None] @ axes)[:, 0] / 2
     away = points - centres[:, None]
-    height = dot(away, normals[:, None])
-    across = np.sqrt(np.maximum(dot(away, away) - height**2, 0))
     near = np.take_along_axis(points, dot(away, away).argmin(axis=1)[:, None, None], axis=1)[:, 0]
-    size = np.abs(points).max(initial=0.0)
-    reach = np.stack((across.max(axis=1), np.abs(height).max(axis=1)), axis=1) + 1e-6 * size
-    found = np.concatenate((centres, normals, reach * ROOM, near), axis=1)
+    half = (high - low) / 2 + 1e-6 * np.abs(points).max(initial=0.0)
+    found = np.concatenate((centres, axes.reshape(-1, 9), half * ROOM, near), axis=1)
     return np.ascontiguousarray(found.T, dtype=np.float32)

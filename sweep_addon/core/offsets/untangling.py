@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Putting vertices back until no two triangles of a dual surface cross."""
+"""Putting vertices back until no two triangles of a dual surface cross, and no two vertices are at one place."""
 
 import numpy as np
 
@@ -12,7 +12,9 @@ FLAT = 0.3  # the least cosine between the triangles about a cell and their mean
 
 
 def untangled(stages, triangles, corner_cells, cell):
-    """The last stage of vertices, those that make triangles cross or turn over put back to an earlier one.
+    """The last stage of vertices, of which those are put back to an earlier one that make triangles cross or turn over.
+
+    Those that are where another is are put back too: places far off the zero end at one corner of their cell.
 
     Parameters
     ----------
@@ -38,13 +40,29 @@ def untangled(stages, triangles, corner_cells, cell):
             vertices.places, triangles, corner_cells, doubtful(normals, corner_cells, np.bincount(cell) > 1)
         )
         over = dot(normals, vertices.normals[triangles].sum(axis=1)) < 0
-        wrong = np.unique(triangles[np.append(crossing.ravel(), np.flatnonzero(over & (number == 0)))])
+        wrong = triangles[np.append(crossing.ravel(), np.flatnonzero(over & (number == 0)))]
+        wrong = np.unique(np.append(wrong, doubled(vertices.places)))
         if not len(wrong) or number == ROUNDS:
             return vertices, crossing
         stage[wrong] = np.maximum(stage[wrong] - 1, 0)
         for back, earlier in enumerate(stages[:-1]):
             which = wrong[stage[wrong] == back]
             vertices = vertices.replaced(which, earlier.some(which))
+
+
+def doubled(places):
+    """The numbers of places (n, 3) that are others too in single precision: (k,) int array.
+
+    >>> doubled(np.array([(1.0, 2, 3), (1, 2, 4), (0, 0, 0), (1 + 1e-9, 2, 3)])).tolist()
+    [0, 3]
+    """
+    x, y, _ = (places.astype(np.float32) + 0.0).view(np.uint32).T.astype(np.uint64)  # there is one 0
+    keys = x << np.uint64(32) | y
+    order = np.argsort(keys)
+    same = np.flatnonzero(keys[order[1:]] == keys[order[:-1]])
+    some = np.union1d(order[same], order[same + 1])
+    _, which, count = np.unique(places[some].astype(np.float32), axis=0, return_inverse=True, return_counts=True)
+    return some[count[which.ravel()] > 1]
 
 
 def facing(places, triangles):
