@@ -44,6 +44,7 @@ def test_images_beside_a_contour_are_told_within_the_box_around_it():
     np.testing.assert_allclose(found.images, p[some, :2], atol=1e-12)
 
 
+@pytest.mark.thorough
 def test_where_a_sweep_folds_a_point_has_two_images():
     """A place rises as 2 t - 3 t^2 (1 + x), so that t are the roots of a square equation."""
     p = asked((-0.3, -0.3, -1), (0.3, 0.3, 1))
@@ -72,6 +73,7 @@ def test_the_motion_takes_images_back_to_their_points(shape, low, high, places):
     np.testing.assert_allclose(there, p[found.point], atol=1e-11)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("shape, low, high", [
     (TAPERED, (-1.2, -1.2, -0.2), (1.2, 1.2, 2.2)),
     (FOLDED, (-0.4, -0.4, -1.2), (0.4, 0.4, 1.2)),

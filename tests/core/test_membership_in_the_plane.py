@@ -177,6 +177,7 @@ def from_area(p, vertices):
     return np.where(inside_by_rays(vertices, p), 0.0, from_edges(p, vertices))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("closed", [True, False])
 @pytest.mark.parametrize("seed", range(6))
 def test_a_place_is_as_far_as_it_is_from_the_nearest_pose(seed, closed):
@@ -335,6 +336,7 @@ def test_single_points_sweep_lines_and_nothing_between_them():
     assert sw.classify(shape, asked).tolist() == [0, 0, -1, -1, 0, -1]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("corners", [300, 3000])
 def test_contours_of_many_corners_are_told_in_their_plane(corners):
     """A wavy ring, of which only cells near where the sweep ends are asked."""

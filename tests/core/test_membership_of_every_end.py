@@ -51,6 +51,7 @@ SOLIDS = {
 }  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", SOLIDS)
 def test_no_point_is_told_wrongly(name):
     shape, distance = SOLIDS[name]
@@ -60,6 +61,7 @@ def test_no_point_is_told_wrongly(name):
     assert (labels == 1).sum() > 100
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", SOLIDS)
 def test_what_is_on_the_boundary_is_on(name):
     """Found by bisection of the formula between a point inside and one outside."""

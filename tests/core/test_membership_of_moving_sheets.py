@@ -65,6 +65,7 @@ def hit(start, way, corners):
         return ((p >= 0) & (q >= 0) & (p + q <= 1) & (t >= 0) & (t <= 1)).any(axis=1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_square_moved_along_its_normal_is_a_block(tolerance):
     points = np.random.default_rng(1).uniform(-0.2, 1.2, (20_000, 3))
@@ -92,6 +93,7 @@ def test_of_a_block_that_a_square_leaves_all_faces_edges_and_corners_are_on():
     assert (sw.classify(sw.GeneralSweep(SQUARE, UP), inner, 1e-7) == 1).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("way", [(0, 0, 1.0), (0.7, 0.2, 0.5), (0.9, 0.4, 0.05), (-0.3, 0.8, -0.6)])
 @pytest.mark.parametrize("name", SHEETS)
 def test_a_sheet_moved_straight_visits_what_lines_back_from_meet(name, way):
@@ -118,6 +120,7 @@ def test_a_square_moved_obliquely_is_on_within_the_tolerance():
     assert (labels == np.tile([1, 0, 0, -1], 250)).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_triangle_turned_about_one_of_its_edges_is_a_part_of_a_cone(tolerance):
     """Carried round by an arc of radius 1, the edge that is in its middle rests: the others leave two cones."""
@@ -140,6 +143,7 @@ def test_a_triangle_turned_about_one_of_its_edges_is_a_part_of_a_cone(tolerance)
     assert inside.any() and outside.any()
 
 
+@pytest.mark.thorough
 def test_a_square_round_a_circle_is_a_ring_without_ends():
     arc = sw.trajectories.Arc(2.0, 2 * pi)
     square = sw.solids.Triangles(SQUARE.vertices.values - (0.5, 0.5, 0), SQUARE.faces)
@@ -175,6 +179,7 @@ def test_where_two_stretches_of_the_way_meet_no_membrane_is_left():
     assert labels.tolist() == [1, 1, 1, 1, 0, 0]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("scale_z", [1.0, 0.2])
 def test_a_square_that_grows_leaves_a_frustum(scale_z):
     own = sw.solids.Triangles(SQUARE.vertices.values - (0.5, 0.5, 0), SQUARE.faces)
@@ -201,6 +206,7 @@ CARRIED = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", CARRIED)
 def test_a_carried_sheet_visits_what_chords_of_the_way_back_meet(name):
     """The ways of points, seen from the sheet, in 251 chords: nearer than 1e-4 to the ways."""
@@ -228,6 +234,7 @@ def test_a_moving_sheet_is_where_its_mesh_is():
     assert (sw.classify(shape, points) == np.sign(-far))[clear].all()
 
 
+@pytest.mark.thorough
 def test_a_tube_without_ends_that_moves_across_is_its_skins_way():
     """An open tube along y moved along x: points of its first and last hollow that no skin meets are out."""
     rod = sw.GeneralizedCylinder(

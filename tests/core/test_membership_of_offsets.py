@@ -141,6 +141,7 @@ def test_an_open_surface_has_no_offset():
         sw.classify(sw.OffsetSurface(triangle, 0.1), [(0, 0, 0)])
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "contour",
     [sw.contours.Ellipse(0.5, 0.3, 8), sw.contours.Superellipse(1.0, 0.6, 4.0, 2), sw.contours.Superellipse(1.0, 0.6)],

@@ -96,6 +96,7 @@ def test_a_distance_is_exact_near_the_surface_and_nowhere_too_large(name):
     assert np.abs(found.distance(near) - formula(near)).max() < 1e-8
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", TOLD)
 def test_a_moving_sweep_is_what_a_formula_says(name):
     shape, distance, tolerance = TOLD[name]
@@ -143,6 +144,7 @@ MOVED = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", MOVED)
 def test_a_moving_sweep_is_where_its_poses_are(name):
     """A point that is in at some pose is in; one that is in is no farther from a pose than a step and the tolerance."""
@@ -166,6 +168,7 @@ def norms_between(places):
     return np.linalg.norm(np.diff(places, axis=1), axis=2)
 
 
+@pytest.mark.thorough
 def test_sweeping_a_union_of_sweeps_is_sweeping_each():
     a, b = OVAL, BENT
     low, high = member(sw.SweptSolid(a | b, TURNING)).box
