@@ -138,6 +138,9 @@ MOVED = {
     "what crosses itself": CROSSING,
     "a mitre": ELBOW,
     "an oval": OVAL,
+    "a deformed contour": sw.GeneralSweep(
+        sw.contours.Rectangle(0.4, 0.2), sw.trajectories.Line(), deform_x="x*(1 + 0.5*sin(3*t + y))"
+    ),
     "a union": BENT | OVAL,
     "a difference": OVAL - BENT,
     "an intersection": OVAL & sw.solids.Ball(0.55),

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sweeps of planar figures that are deformed on their way, as sets of points: inverse sweeping without a plane."""
 
+from functools import cached_property
+
 import numpy as np
 
 from ..vectors import norms
+from .deformed_distance import DeformedDistance
 from .deforming import EXACT
 from .hash import portions
 from .labels import IN, ON, OUT, TOUCHED
@@ -26,6 +29,8 @@ class DeformedBody:
         Whether one closes its start and its end.
     """
 
+    overlaps = True
+
     def __init__(self, way, closed, faces):
         self.way, self.region, self.box = way, way.region, way.box
         self.ends = () if closed else ((0.0, faces[0]), (way.total, faces[1]))
@@ -39,6 +44,15 @@ class DeformedBody:
         for some in portions(counts[asked], CHUNK):
             labels[asked[some]] = self.of_places(points[asked[some]], boxes, tolerance)
         return labels
+
+    def distance(self, points):
+        """How far points (n, 3) are from the boundary, or a fair part of that, negative inside: (n,)."""
+        return self.told(points)
+
+    @cached_property
+    def told(self):
+        """What tells the distance."""
+        return DeformedDistance(self)
 
     def of_places(self, points, boxes, tolerance):
         """The labels of so few points that all pairs with cells fit into memory."""

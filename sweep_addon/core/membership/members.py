@@ -34,7 +34,7 @@ from .moving_plane import MovingPlane
 from .moving_rim import MovingRim
 from .moving_sheet import MovingSheet
 from .moving_solid import MovingSolid
-from .prisms import Meshed, Prism
+from .prisms import Prism
 from .regions import region
 from .sheet import SheetBody
 from .sides import Sided
@@ -160,8 +160,7 @@ def change(motion, box):
 def deformed(shape):
     """The sweep of a planar figure that is deformed."""
     figure, closed = ways.figure(shape)
-    body = DeformedBody(Deforming(shape, figure), closed, ways.faces_of((shape.start, shape.end)))
-    return Meshed(body, lambda: MeshBody(shape.solid()))
+    return DeformedBody(Deforming(shape, figure), closed, ways.faces_of((shape.start, shape.end)))
 
 
 def canal(shape):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Planar sweeps with a distance: upright prisms by that of their contour, others by that of their mesh."""
+"""Upright prisms, whose distance is that of their contour."""
 
 import numpy as np
 
@@ -35,28 +35,3 @@ class Prism:
         along = np.maximum(self.ends[0] - points[:, 2], points[:, 2] - self.ends[1])
         outside = np.sqrt(np.maximum(across, 0.0) ** 2 + np.maximum(along, 0.0) ** 2)
         return outside + np.minimum(np.maximum(across, along), 0.0)
-
-
-class Meshed:
-    overlaps = False
-    """A planar sweep whose distance is that of its mesh.
-
-    Parameters
-    ----------
-    plane : member
-    body : callable
-        Makes the `MeshBody` of the shape, which is asked of solids alone.
-    """
-
-    def __init__(self, plane, body):
-        self.plane, self.box, self.body, self.made = plane, plane.box, body, None
-        self.is_sheet = plane.is_sheet
-
-    def labels(self, points, tolerance):
-        """IN, ON, OUT or TOUCHED for points (n, 3): (n,) int8."""
-        return self.plane.labels(points, tolerance)
-
-    def distance(self, points):
-        """How far points (n, 3) are from the mesh, negative inside: (n,)."""
-        self.made = self.made or self.body()
-        return self.made.distance(points)
