@@ -69,9 +69,7 @@ class DeformedBody:
         """Which places are within the figure, (k,) bool, and which at a boundary: (k,) int, 2 where others decide."""
         slope = self.way.slopes(q, self.way.places(q))
         rates = np.linalg.pinv(slope)  # how x, y and s grow with the point: a row each
-        depth, outward = self.region.exact(q[:, :2], q[:, 2])
-        moving = np.column_stack((outward, np.broadcast_to(self.region.growth(q[:, :2], q[:, 2]), len(q))))
-        depth = depth / np.maximum(norms(np.einsum("ni,nij->nj", moving, rates)), LEAST)
+        depth = self.depths(q, rates, tolerance)
         edge, face = np.zeros((2, len(q)), dtype=bool)
         for end, closed in self.ends:
             near = np.abs(q[:, 2] - end) <= tolerance * norms(rates[:, 2])
@@ -88,3 +86,18 @@ class DeformedBody:
         folded = present & (~self.way.linear[cell] & (least**2 <= 2 * FOLD * tolerance * (bend + tolerance)))
         inside[folded], contact[folded] = False, 2
         return inside, contact
+
+    def depths(self, q, rates, tolerance):
+        """How far the points of places are from the figure's boundary to first order, or less if more than a tolerance.
+
+        Negative inside: (k,). Near it the figure tells its distance and in which direction that grows; elsewhere it
+        grows no faster than all three of x, y and s together.
+        """
+        growth = np.broadcast_to(self.region.growth(q[:, :2], q[:, 2]), len(q))
+        fastest = np.sqrt((rates**2).sum(axis=(1, 2)) * (1 + growth**2))
+        depth = self.region.depth(q[:, :2], q[:, 2]) / np.maximum(fastest, LEAST)
+        near = np.flatnonzero(np.abs(depth) <= tolerance)
+        exact, outward = self.region.exact(q[near, :2], q[near, 2])
+        moving = np.einsum("ni,nij->nj", np.column_stack((outward, growth[near])), rates[near])
+        depth[near] = exact / np.maximum(norms(moving), LEAST)
+        return depth

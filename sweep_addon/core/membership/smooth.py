@@ -3,9 +3,8 @@
 """Regions of the plane within one smooth curve that has an equation: discs, ellipses and superellipses.
 
 A region tells of points how far they are from its boundary at least, negative inside: ``depth(points)``, whose sign is
-exact. Near the boundary ``exact(points)`` tells the distance, to first order, which is all that a tolerance asks, and
-in which direction it grows. ``distance(x, y)`` is the distance itself, everywhere, and ``support(direction)`` how far
-the region gets in a direction, and where. ``box`` is the least and the greatest x and y.
+exact. ``exact(points)`` tells the distance, and in which direction it grows, and ``distance(x, y)`` the distance alone.
+``support(direction)`` is how far the region gets in a direction, and where; ``box`` the least and the greatest x and y.
 """
 
 from functools import cached_property
@@ -18,6 +17,7 @@ from ..vectors import dot, unit
 LEAST = 1e-300  # keeps quotients at a centre finite
 LOOKED = 17  # places of a quarter of a curve where it is looked at, and as many evenly by how it turns
 STEPS = 80  # of Newton's method within brackets that are halved where it leaves them
+SMALL = 1e-6  # of the size: what is nearer to a curve has its normal
 ANGLE = 1e-14  # radians: brackets of twice as much are not halved any more
 CHUNK = 1 << 14  # points whose pairs with the places fit into a processor's cache
 
@@ -94,10 +94,13 @@ class Superdisc:
         return np.where(level < 1, -inside, np.maximum(first, (level - 1) * ball))
 
     def exact(self, points):
-        """The distance near the curve to first order, and unit vectors away: (n,), (n, 2)."""
-        level, slope = self.levels(points)
-        steep = np.sqrt(slope[:, 0] ** 2 + slope[:, 1] ** 2)
-        return (level - 1) / np.maximum(steep, LEAST), unit(slope)
+        """The distance from the curve, negative inside, and unit vectors away from it: (n,), (n, 2)."""
+        far, feet = self.feet(points)
+        outward = unit(self.levels(feet)[1])
+        side = np.where(self.levels(points)[0] < 1, -1.0, 1.0)
+        apart = np.flatnonzero(far > SMALL * min(self.half))  # whose way from the curve is not rounding
+        outward[apart] = (side[apart] / far[apart])[:, None] * (points[apart] - feet[apart])
+        return side * far, outward
 
     def levels(self, points):
         """By what factor the curve about the origin reaches points, and how that grows along x and y: (n,), (n, 2)."""
@@ -122,14 +125,19 @@ class Superdisc:
 
     def distance(self, x, y):
         """How far places x (n,) and y (n,) are from the curve, negative inside, to rounding: (n,)."""
-        places, far = np.stack((x, y), axis=1), np.empty(len(x))
-        for start in range(0, len(x), CHUNK):
+        places = np.stack((x, y), axis=1)
+        return np.where(self.levels(places)[0] < 1, -1.0, 1.0) * self.feet(places)[0]
+
+    def feet(self, points):
+        """How far points (n, 2) are from the curve, and its nearest places: (n,), (n, 2)."""
+        far, angle = np.empty((2, len(points)))
+        for start in range(0, len(points), CHUNK):
             some = slice(start, start + CHUNK)
-            far[some] = self.nearest(np.abs(places[some]))
-        return np.where(self.levels(places)[0] < 1, -far, far)
+            far[some], angle[some] = self.nearest(np.abs(points[some]))
+        return far, np.copysign(self.at(angle)[0], points)
 
     def nearest(self, places):
-        """How far places of the first quarter (n, 2) are from the curve, whose nearest point is there too: (n,).
+        """How far places of the first quarter (n, 2) are from the curve, and the angle where it is nearest: two (n,).
 
         The best of some places of the curve has the nearest point between its neighbours. Outside there is one such
         place; inside there may be several, and the least is that of all of them.
@@ -140,18 +148,23 @@ class Superdisc:
         point, node = np.nonzero(best)
         last = len(self.angles) - 1
         x, low, high = (self.angles[np.clip(node + side, 0, last)] for side in (0, -1, 1))
-        least = self.refined(places[point], x, low, high)
-        return np.sqrt(np.minimum.reduceat(least, np.flatnonzero(np.append(True, np.diff(point) > 0))))
+        least, angle = self.refined(places[point], x, low, high)
+        order = np.lexsort((least, point))
+        first = order[np.append(True, np.diff(point[order]) > 0)[: len(order)]]
+        return np.sqrt(least[first]), angle[first]
 
     def refined(self, places, x, low, high):
-        """The least square of the distance of places (n, 2) from the curve between two angles each: (n,)."""
-        least, active, near = np.full(len(x), np.inf), np.arange(len(x)), np.zeros(len(x), dtype=bool)
+        """The least square of the distance of places (n, 2) from the curve between two angles each, and where: (n,)."""
+        least, best = np.full(len(x), np.inf), x.copy()
+        active, near = np.arange(len(x)), np.zeros(len(x), dtype=bool)
         for _ in range(STEPS):
             if not len(active):
                 break
             at, ahead, speed, turn = self.at(x)
             off = at - places[active]
-            least[active] = np.minimum(least[active], dot(off, off))
+            square = dot(off, off)
+            better = square < least[active]
+            least[active[better]], best[active[better]] = square[better], x[better]
             slope, bend = dot(off, ahead), speed * dot(ahead, ahead) + dot(off, turn)
             low, high = np.where(slope <= 0, x, low), np.where(slope > 0, x, high)
             step = slope / np.where(np.isfinite(bend) & (bend > 0), bend, np.inf)
@@ -160,7 +173,7 @@ class Superdisc:
             near, x = np.abs(step) < ANGLE, np.where(halved, (low + high) / 2, after)
             going = high - low > 2 * ANGLE
             active, x, low, high, near = (part[going] for part in (active, x, low, high, near))
-        return least
+        return least, best
 
     @cached_property
     def angles(self):
