@@ -148,7 +148,8 @@ def is_swept(ob):
 
 def is_grown(mesh):
     """Whether a mesh is made of a grammar, whose text may be edited."""
-    return SHAPE.get(mesh.sweep.kind) is Plant
+    sweep = getattr(mesh, "sweep", None)  # None where the extension is not enabled
+    return sweep is not None and SHAPE.get(sweep.kind) is Plant
 
 
 def has_poly_lines(mesh):
