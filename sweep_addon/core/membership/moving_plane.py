@@ -28,6 +28,7 @@ from .reach import chords
 LOOKED = 65  # places where it is looked at how large everything is
 CHUNK = 1 << 15  # pairs of points and panels, and points, that fit into a processor's cache
 FINE = 6  # cells of the lattice in the side of a box
+ROOMS = 4  # lattices that are kept: a moving sweep is asked within several tolerances in turn
 SAME = 1e-9  # of the whole: parameters nearer than this are one
 NEAR = 30.0  # tolerances in the contour's plane: nearer to its boundary the distance from the surface is asked for
 ROUNDING = 1e-12  # of the size
@@ -98,7 +99,7 @@ class MovingPlane:
         if found is None:
             start, chord, radius = self.capsules
             found = Boxes.of(self.low - room, self.high + room, FINE, Capsules(start, chord, radius + room))
-            self.hashes = {room: found} | dict(list(self.hashes.items())[:1])
+            self.hashes = {room: found} | dict(list(self.hashes.items())[: ROOMS - 1])
         return found
 
     @cached_property
