@@ -169,17 +169,19 @@ def test_a_block_along_a_line_is_a_longer_block():
     assert_solid(mesh, 2)
 
 
+@pytest.mark.thorough
 def test_a_block_along_a_diagonal():
     """A box along a vector w: its volume and the shadows of its sides, the sum of |w| area."""
     way = (0.5, 0.7, 0.3)
-    mesh, off = coarse(GeneralSweep(CUBE, Line(end=way), cells=32), 1)
+    mesh, off = coarse(GeneralSweep(CUBE, Line(end=way), cells=48), 1)
     assert mesh.volume() == pytest.approx(0.4**3 + 0.16 * sum(way), abs=off)
     assert_solid(mesh, 2)
 
 
+@pytest.mark.thorough
 def test_a_ball_round_a_circle_is_a_torus():
     ball = Ball(0.25, points=48)
-    mesh, off = coarse(GeneralSweep(ball, Arc(1.0, 2 * pi), cells=32), 1)
+    mesh, off = coarse(GeneralSweep(ball, Arc(1.0, 2 * pi), cells=48), 1)
     assert mesh.volume() == pytest.approx(2 * pi**2 * 0.25**2, abs=off)
     assert_solid(mesh, 0)
 
@@ -188,7 +190,7 @@ def test_a_ball_round_a_circle_is_a_torus():
 def test_a_rod_that_turns_about_its_middle_fills_a_disc():
     """Across the axis at x it is a slab, whose corners are sqrt(0.25 + 0.05^2 - x^2) away: the discs of that add up."""
     rod = Cylinder(0.05, 1.0, points=32)
-    mesh, off = coarse(GeneralSweep(rod, Line(end=(0, 1e-6, 0)), turn_x="pi*t", cells=36), 1)
+    mesh, off = coarse(GeneralSweep(rod, Line(end=(0, 1e-6, 0)), turn_x="pi*t", cells=48), 1)
     assert mesh.volume() == pytest.approx(pi * (0.25 * 0.1 + 4 / 3 * 0.05**3), abs=off)
     assert_solid(mesh, 2)
 
@@ -205,7 +207,7 @@ def test_a_hole_along_the_way_stays_and_one_across_it_closes():
 @pytest.mark.thorough
 def test_a_growing_ball_is_a_cone_with_round_ends():
     """Balls of radius 0.1 + 0.2 z along z: the cone that touches them and both caps, in closed form."""
-    shape = GeneralSweep(Ball(0.1, points=48), Line(), cells=32, **{f"scale_{a}": "1 + 2*t" for a in "xyz"})
+    shape = GeneralSweep(Ball(0.1, points=48), Line(), cells=48, **{f"scale_{a}": "1 + 2*t" for a in "xyz"})
     mesh, off = coarse(shape, 1)
     assert mesh.volume() == pytest.approx(cone_sphere(0.1, 0.3, 1.0), abs=off)
     assert_solid(mesh, 2)
@@ -247,7 +249,7 @@ def test_points_are_told_as_all_poses_tell_them():
 @pytest.mark.thorough
 def test_a_deformed_solid_is_where_its_points_went():
     """Every vertex of the solid in every pose is inside or on the surface, and the surface touches some of them."""
-    shape = GeneralSweep(Bracket(), Line(end=(0, 0, 2)), deform_x="x + 0.1*sin(6*y + 4*pi*t)", cells=24)
+    shape = GeneralSweep(Bracket(), Line(end=(0, 0, 2)), deform_x="x + 0.1*sin(6*y + 4*pi*t)", cells=40)
     mesh, swept = shape.mesh(), shape.swept()
     assert_solid(mesh, 2)
     poses, _, step = swept.close
