@@ -71,6 +71,24 @@ def test_a_ball_that_is_bent_stays_round_across():
     assert (sw.classify(sweep, points) == np.where(inside, 1, -1))[clear].all()
 
 
+def test_a_bar_that_is_bent_to_an_open_ring_keeps_its_gap():
+    """Bent by 5.6 of a turn of 2 pi, and moved along the axis: both ends are near each other, and far in the bar."""
+    turn, radius = 5.6, 0.6
+    bend = {
+        "deform_x": f"({radius} - y)*sin({turn / 2}*x)",
+        "deform_y": f"{radius} - ({radius} - y)*cos({turn / 2}*x)",
+    }
+    ring = sw.GeneralSweep(sw.solids.Block(2.0, 0.3, 0.2), sw.trajectories.Line(), **bend)
+    points = np.random.default_rng(7).uniform((-1, -0.4, -0.3), (1, 1.6, 1.3), (3_000, 3))
+    points[:500] = points[:500] * (0.2, 0.2, 1) + (0, 1.2, 0)
+    x, y, z = points[:, 0], points[:, 1] - radius, points[:, 2]
+    r, angle = np.hypot(x, y), np.abs(np.arctan2(x, -y))
+    far = np.maximum.reduce([np.abs(r - radius) - 0.15, np.abs(z - 0.5) - 0.6, (angle - turn / 2) * r])
+    clear = np.abs(far) > 1e-7
+    assert (sw.classify(ring, points) == np.sign(-far))[clear].all()
+    assert (far[:500] > 0).sum() > 50
+
+
 def back_by_newton(place, points):
     """The places of a solid that go to points (n, 3), by Newton's method from these."""
     found, step = points.copy(), 1e-7

@@ -289,3 +289,17 @@ def test_vertices_of_a_surface_that_an_open_sweep_leaves_are_on():
     vertices = vertices[:: max(len(vertices) // 200, 1)]
     assert (sw.classify(shape, vertices, 1e-7) == 0).all()
     assert (sw.classify(shape, vertices + (0, 0, 5.0), 1e-7) == -1).all()
+
+
+def test_triangles_that_share_places_and_no_vertices_are_one_sheet():
+    """As a file of loose triangles has them: no rim is left between them."""
+    wave = SHEETS["a wave"]
+    places = wave.vertices.values[wave.faces.values.astype(int)].reshape(-1, 3)
+    loose = sw.solids.Triangles(places, np.arange(len(places)).reshape(-1, 3))
+    points = np.random.default_rng(13).uniform(-0.3, 1.3, (2_000, 3))
+    points[:100] = places[::6] + (0, 0, 0.5)  # their ways lead through vertices
+    visited = hit(points, np.array((0.0, 0.0, -1.0)), wave.vertices.values[wave.faces.values.astype(int)])
+    labels = sw.classify(sw.GeneralSweep(loose, UP), points)
+    assert (labels == np.where(visited, 1, -1))[100:].all()
+    inner = (np.abs(points[:100, :2] - 0.5) < 0.45).all(axis=1)
+    assert (labels[:100][inner] == 1).all() and inner.sum() > 30
