@@ -89,6 +89,18 @@ def test_a_bar_that_is_bent_to_an_open_ring_keeps_its_gap():
     assert (far[:500] > 0).sum() > 50
 
 
+def test_a_block_may_be_pressed_flat_at_the_end():
+    """Along x it becomes thinner: where it is thickest as it passes over a point, its rear end does so first."""
+    flat = sw.GeneralSweep(sw.solids.Block(0.5, 0.4, 0.6), ALONG_X, deform_z="z*(1 - t)")
+    points = np.random.default_rng(8).uniform((-0.4, -0.3, -0.4), (1.4, 0.3, 0.4), (2_000, 3))
+    points[:300, 2] *= 0.01
+    x, y, z = points.T
+    half = 0.3 * (1 - np.clip(x - 0.25, 0, 1))
+    far = np.maximum.reduce([np.abs(x - 0.5) - 0.75, np.abs(y) - 0.2, np.abs(z) - half])
+    clear = np.abs(far) > 3e-8
+    assert (sw.classify(flat, points) == np.sign(-far))[clear].all()
+
+
 def back_by_newton(place, points):
     """The places of a solid that go to points (n, 3), by Newton's method from these."""
     found, step = points.copy(), 1e-7

@@ -26,6 +26,7 @@ LOOKED = 257
 FLATTEST = 1e-9  # of the largest scale: what is flatter counts as so thick
 APART = 0.5  # of a solid's size: what is farther from its box is as far from the solid, or farther
 DIFFERENCE = 1e-6  # of a solid's size: over which slopes are taken
+SINGULAR, ASIDE = 1e-12, 1e-6  # a determinant of less turns no way back, until so much of the map's size is added
 LEAST = 1e-300
 
 
@@ -36,6 +37,7 @@ class Own(NamedTuple):
     least: np.ndarray  # what a length about them becomes at least: (n,)
     most: np.ndarray  # and at most: (n,)
     away: np.ndarray  # how far they are from what the solid may become at least, 0 where they have a place in it: (n,)
+    missed: np.ndarray  # how far they are from what these places become: (n,)
 
 
 class Change:
@@ -112,13 +114,16 @@ class Change:
         own = self.back(places, s)
         found = distant(solid, own.places, self.box, APART * self.size)
         value = own.least * found
-        near = np.flatnonzero((np.abs(value) <= tolerance) & (own.away == 0) & (own.least < own.most))
+        value = np.where(own.away > 0, own.away + np.maximum(value, 0.0), value)
+        near = np.flatnonzero((np.abs(value) <= tolerance) & (own.least < own.most))
         if len(near):
             slope = slopes(solid, own.places[near], DIFFERENCE * self.size)
             maps = self.maps(own.places[near], s if np.ndim(s) == 0 else s[near])
-            steep = norms(np.linalg.solve(maps.swapaxes(1, 2), slope[..., None])[..., 0])
+            steep = norms(solved(maps.swapaxes(1, 2), slope))
             value[near] = found[near] / np.clip(steep, 1 / own.most[near], 1 / own.least[near])
-        return np.where(own.away > 0, own.away + np.maximum(value, 0.0), value)
+            missed = np.hypot(np.maximum(value[near], 0.0), own.missed[near])
+            value[near] = np.where(own.away[near] > 0, missed, value[near])
+        return value
 
 
 class Scaling(Change):
@@ -157,7 +162,7 @@ class Scaling(Change):
         scales = self.scales(s)
         size, shape = np.abs(scales), len(places)
         ends = (np.broadcast_to(end, shape) for end in (size.min(axis=-1), size.max(axis=-1)))
-        return Own(places / scales, *ends, np.zeros(shape))
+        return Own(places / scales, *ends, *np.zeros((2, shape)))
 
     def maps(self, places, s):
         """The matrices that take directions of the solid itself at places (n, 3) to those of what it becomes."""
@@ -205,3 +210,12 @@ def slopes(solid, places, step):
     moved = places[:, None, None] + step * np.array([[1.0], [-1.0]])[..., None] * np.eye(3)
     there = solid.distance(moved.reshape(-1, 3)).reshape(len(places), 2, 3)
     return (there[:, 0] - there[:, 1]) / (2 * step)
+
+
+def solved(maps, vectors):
+    """What linear maps (n, 3, 3) take to vectors (n, 3), nearly so where they are flat: (n, 3)."""
+    maps = np.nan_to_num(maps)
+    size = np.abs(maps).max(axis=(1, 2), initial=0.0)[:, None, None]
+    flat = np.abs(np.linalg.det(maps / np.where(size > 0, size, 1.0))) < SINGULAR
+    maps = np.where(flat[:, None, None], maps + ASIDE * size * np.eye(3) + LEAST * np.eye(3), maps)
+    return np.linalg.solve(maps, vectors[..., None])[..., 0]

@@ -13,7 +13,7 @@ from ..formulas.expressions import compile
 from ..shapes.general_sweep import PLACES
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import APART, Change, Own, held, lattice, speeds
+from .changes import APART, LEAST, Change, Own, held, lattice, solved, speeds
 from .panels import panels
 from .ways import PARTS, apart
 
@@ -28,7 +28,6 @@ STEP = 1e-6  # of the size: over which slopes are taken
 STEPS, HALVINGS = 40, 8  # of Newton's method, and of its steps where it misses by more
 EXACT = 1e-13  # of the size
 SOLVED = 1e-10
-LEAST = 1e-300
 
 
 class Deformation(Change):
@@ -125,9 +124,11 @@ class Deformation(Change):
         own = np.broadcast_to(self.box.mean(axis=0), places.shape).copy()
         least, most = self.shortest[piece], self.longest[piece]
         near = np.flatnonzero(away <= APART * self.reach)
-        own[near], missed = self.followed(places[near], s[near], self.begun(places[near], piece[near]))
-        away[near] = np.where(missed > SOLVED * self.reach, np.maximum(missed * (least / most)[near], LEAST), 0.0)
-        return Own(own, least, most, away)
+        missed = away.copy()
+        own[near], missed[near] = self.followed(places[near], s[near], self.begun(places[near], piece[near]))
+        bound = np.maximum(missed * least / most, LEAST)
+        away[near] = np.where(missed > SOLVED * self.reach, bound, 0.0)[near]
+        return Own(own, least, most, away, missed)
 
     def begun(self, places, piece):
         """The nodes of the solid that come to be nearest to places (n, 3) in pieces of the way: (n, 3)."""
@@ -158,12 +159,3 @@ class Deformation(Change):
             own[better] += solved(slopes, off[better])
             own = np.clip(own, *self.room)
         return best, missed
-
-
-def solved(maps, vectors):
-    """What linear maps (n, 3, 3) take to vectors (n, 3), nearly so where they are flat: (n, 3)."""
-    maps = np.nan_to_num(maps)
-    size = np.abs(maps).max(axis=(1, 2), initial=0.0)[:, None, None]
-    flat = np.abs(np.linalg.det(maps / np.where(size > 0, size, 1.0))) < 1e-12
-    maps = np.where(flat[:, None, None], maps + 1e-6 * size * np.eye(3) + LEAST * np.eye(3), maps)
-    return np.linalg.solve(maps, vectors[..., None])[..., 0]

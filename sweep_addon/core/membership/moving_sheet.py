@@ -90,13 +90,13 @@ class MovingSheet(MovingSolid):
             return State(found.depth, *found, seen, np.broadcast_to(1.0, len(seen)))
         own = self.change.back(seen, s)
         found = self.solid.seen(own.places)
-        value = own.least * found.depth
-        near = np.flatnonzero((np.abs(value) <= tolerance) & (found.face >= 0) & (own.away == 0))
+        value, beyond = own.least * found.depth, own.away > 0
+        value = np.where(beyond, own.away + np.abs(value), value)
+        near = np.flatnonzero((np.abs(value) <= tolerance) & (found.face >= 0))
         maps = self.change.maps(own.places[near], s if np.ndim(s) == 0 else s[near])
         far = self.solid.mapped(own.places[near], Seen(*(part[near] for part in found)), maps)
-        value[near] = np.copysign(far, value[near])
-        beyond = own.away > 0
-        value, face = np.where(beyond, own.away + np.abs(value), value), np.where(beyond, -1, found.face)
+        value[near] = np.copysign(np.where(beyond[near], np.hypot(far, own.missed[near]), far), value[near])
+        face = np.where(beyond, -1, found.face)
         return State(value, found.depth, face, found.part, found.foot, own.places, own.least)
 
     def at_times(self, places, s, tolerance):

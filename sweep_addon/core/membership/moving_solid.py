@@ -218,7 +218,7 @@ class MovingSolid:
         if len(near):
             own, room, away = places[near], tolerance, 0.0
             if change:
-                own, _, _, away = change.back(own, s[near] if np.ndim(s) else s)
+                own, _, _, away, _ = change.back(own, s[near] if np.ndim(s) else s)
                 room = tolerance / change.largest
             labels = np.where(away, ON, decided(self.solid.labels(own, room), own, room, self.solid))
             found[near] = np.where(labels == ON, found[near], -BEYOND * tolerance * labels)

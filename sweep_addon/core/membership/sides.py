@@ -10,6 +10,7 @@ from ..distance import PseudoNormals, Tree, nearest
 from ..distance.triangles import INTERIOR, VERTEX
 from ..meshes.facets import facets
 from ..vectors import dot, norms, unit
+from .changes import LEAST, solved
 
 APART = 0.5  # of the size: what is farther from the box is as far from the sheet, or farther
 
@@ -75,8 +76,8 @@ class Sided:
         Of a face that is its plane, of an edge its line.
         """
         found = from_parts(self.tree.corners[seen.face], seen.part, points - seen.foot, maps)
-        normals = np.linalg.solve(maps.swapaxes(1, 2), self.normals.parts[seen.face, 0][..., None])[..., 0]
-        return np.where(seen.part == INTERIOR, np.abs(seen.depth) / norms(normals), found)
+        steep = norms(solved(maps.swapaxes(1, 2), self.normals.parts[seen.face, 0]))
+        return np.where(seen.part == INTERIOR, np.abs(seen.depth) / np.maximum(steep, LEAST), found)
 
     def between(self, one, other):
         """How far a way along the sheet from one foot to another leads from the first, where it is known.
@@ -97,7 +98,7 @@ class Sided:
         corners = self.tree.corners[one.face[met]]
         start, end = corners[np.arange(len(met)), known], corners[np.arange(len(met)), (known + 1) % 3]
         way, middle = end - start, (one.foot[met] + other.foot[met]) / 2
-        share = np.clip(dot(middle - start, way) / np.maximum(dot(way, way), 1e-300), 0.0, 1.0)
+        share = np.clip(dot(middle - start, way) / np.maximum(dot(way, way), LEAST), 0.0, 1.0)
         detour = np.maximum(far[met], norms(start + share[:, None] * way - one.foot[met]))
         same = (one.face == other.face) & (one.face >= 0)
         found = np.where(same, far, np.inf)
