@@ -28,6 +28,7 @@ def test_a_sheared_block_moves_as_a_parallelepiped(tolerance):
     assert (sw.classify(sweep, points, tolerance) == np.sign(-far))[clear].all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-3])
 def test_beside_a_sheared_face_points_are_on_within_the_tolerance(tolerance):
     """The distance counts as it is in the world, not in the solid before it is sheared: half of that, here."""
@@ -41,6 +42,7 @@ def test_beside_a_sheared_face_points_are_on_within_the_tolerance(tolerance):
     assert (sw.classify(sheared, points, tolerance) == np.tile([1, 0, 0, -1], 25)).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_twisted_bar_moved_across_is_at_each_height_a_turned_rectangle_moved(tolerance):
     """At the height z the bar is turned by 2 z: a point is visited if the way back from it meets the rectangle."""
@@ -135,6 +137,7 @@ DEFORMED = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", DEFORMED)
 def test_a_deformed_bracket_is_where_many_poses_of_it_are(name):
     formulas, place = DEFORMED[name]
@@ -151,6 +154,7 @@ def test_a_deformed_bracket_is_where_many_poses_of_it_are(name):
         assert np.count_nonzero(labels == 1) > 100
 
 
+@pytest.mark.thorough
 def test_many_small_waves_in_time_are_followed():
     """A block that shakes 40 times on its way: between two shakes it is where it shakes to."""
     sweep = sw.GeneralSweep(sw.solids.Block(0.4, 0.2, 0.2), UP, deform_x="x + 0.3*sin(80*pi*t)")
@@ -160,6 +164,7 @@ def test_many_small_waves_in_time_are_followed():
     assert (sw.classify(sweep, out + (0.0011, 0, 0)) == -1).all()
 
 
+@pytest.mark.thorough
 def test_a_deformed_sheet_is_what_it_passes_over():
     """A square that bows as it rises, by 0.3 x (1 - x): moved along z it is a block with bowed faces."""
     square = sw.solids.Triangles([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
