@@ -67,26 +67,26 @@ def torus(points):
 WAY = (1.0, 0.2, 0.1)
 SWEEPS = {
     "a block along a line": (
-        GeneralSweep(Block(0.4, 0.2, 0.3), Line(end=WAY), cells=32),
+        GeneralSweep(Block(0.4, 0.2, 0.3), Line(end=WAY)),
         moved_block((0.4, 0.2, 0.3), WAY),
     ),
     "a block round a circle": (
-        GeneralSweep(Block(0.4, 0.3, 0.2), Arc(1.0, 2 * pi), frame="rotation-minimizing", cells=32),
+        GeneralSweep(Block(0.4, 0.3, 0.2), Arc(1.0, 2 * pi), frame="rotation-minimizing"),
         plate(hypot(1.2, 0.1), 0.8, 0.15),
     ),
     "a cube along an arc": (
-        GeneralSweep(Block(0.4, 0.4, 0.4), Arc(1.0, pi / 2), frame="rotation-minimizing", cells=32),
+        GeneralSweep(Block(0.4, 0.4, 0.4), Arc(1.0, pi / 2), frame="rotation-minimizing"),
         quarter(0.8, hypot(1.2, 0.2), 0.2),
     ),
     "a rod that turns about its middle": (
-        GeneralSweep(Block(0.9, 0.2, 0.2), Line(end=(0, 0, 1e-6)), turn_z="pi*t", cells=32),
+        GeneralSweep(Block(0.9, 0.2, 0.2), Line(end=(0, 0, 1e-6)), turn_z="pi*t"),
         plate(hypot(0.45, 0.1), -1.0, 0.1),
     ),
     "a cylinder across its axis": (
         GeneralSweep(Cylinder(0.2, 0.4, 96), Arc(0.5, 2 * pi), cells=32),
         plate(0.7, 0.3, 0.2),
     ),
-    "a ball round a circle": (GeneralSweep(Ball(0.25, 128), Arc(1.0, 2 * pi), cells=32), torus),
+    "a ball round a circle": (GeneralSweep(Ball(0.25, 128), Arc(1.0, 2 * pi)), torus),
 }
 
 
