@@ -164,6 +164,20 @@ def test_many_small_waves_in_time_are_followed():
     assert (sw.classify(sweep, out + (0.0011, 0, 0)) == -1).all()
 
 
+@pytest.mark.parametrize("waves", [2, 4, 8])
+@pytest.mark.parametrize("half_swings", [0, 9, 41])
+def test_waves_that_fit_the_box_are_followed(waves, half_swings):
+    """A beam that swings in one, two or more waves: they are 0 at its ends, in its middle, and at even parts of it."""
+    swing, count = f"*sin({half_swings}*pi*t)" if half_swings else "", 600
+    beam, path = sw.solids.Block(0.2, 0.2, 2.0), sw.trajectories.Line(end=(0, 1, 0))
+    sweep = sw.GeneralSweep(beam, path, deform_x=f"x + 0.3*sin({waves}*pi*z){swing}")
+    random = np.random.default_rng(7)
+    x, y, z = random.uniform((-0.095, -0.095, -0.98), (0.095, 0.095, 0.98), (count, 3)).T
+    t = random.uniform(0, 1, count)
+    swung = 0.3 * np.sin(waves * pi * z) * (np.sin(half_swings * pi * t) if half_swings else 1)
+    assert (sw.classify(sweep, np.stack((x + swung, y + t, z), axis=1), 1e-4) == 1).all()
+
+
 @pytest.mark.thorough
 def test_a_deformed_sheet_is_what_it_passes_over():
     """A square that bows as it rises, by 0.3 x (1 - x): moved along z it is a block with bowed faces."""

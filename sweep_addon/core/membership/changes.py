@@ -56,12 +56,13 @@ class Change:
     growth : (k,) float array
         How far points of the solid move at most, the rigid motion aside, in metres for each metre of the way between
         two of these places.
-    parts : int
-        Places along each side of the box that tell where the solid gets.
+    places : (p, 3) float array, optional
+        In the solid's box, that tell where it gets: its corners, if no others are given.
     """
 
-    def __init__(self, box, edges, growth, parts=2):
-        self.box, self.size, self.places = box, float(norms(box[1] - box[0])), lattice(box, parts)
+    def __init__(self, box, edges, growth, places=None):
+        self.box, self.size = box, float(norms(box[1] - box[0]))
+        self.places = corners(box) if places is None else places
         self.edges, self.growth = edges, growth
 
     @cached_property
@@ -185,9 +186,9 @@ def speeds(changed, factors):
     return np.append(changed.start, changed.end[-1]), ROOM * moved.max(axis=(1, 2))
 
 
-def lattice(box, count):
-    """Places in a box, so many along each side: (count^3, 3)."""
-    return np.stack(np.meshgrid(*np.linspace(*box, count).T, indexing="ij"), axis=-1).reshape(-1, 3)
+def corners(box):
+    """The corners of a box: (8, 3)."""
+    return np.stack(np.meshgrid(*box.T, indexing="ij"), axis=-1).reshape(-1, 3)
 
 
 def held(kept, s):

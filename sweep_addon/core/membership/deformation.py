@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solids that formulas deform on their way: from where points are then back to where they are in the solid itself.
 
-Newton's method begins at that place of a lattice in the solid's box that comes to be nearest to the point. How fast the
-solid changes, and by how much lengths do, is looked at on a coarser lattice: of formulas nothing else is known.
+Newton's method begins at that of many places in the solid's box that comes to be nearest to the point. How fast the
+solid changes, and by how much lengths do, is looked at in fewer: of formulas nothing else is known. These places are
+scattered: where they are evenly spaced, a wave may be 0 in all of them.
 """
 
 import numpy as np
@@ -13,16 +14,15 @@ from ..formulas.expressions import compile
 from ..shapes.general_sweep import PLACES
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import APART, LEAST, Change, Own, held, lattice, solved, speeds
+from .changes import APART, LEAST, Change, Own, corners, held, solved, speeds
 from .panels import panels
 from .ways import PARTS, apart
 
-NODES, FEW = (
-    9,
-    5,
-)  # of the lattice along each axis, where Newton's method begins, and where it is looked how much changes
+NODES = 729  # places in the box where Newton's method begins, and that tell where the solid gets
+FEW = 125  # where it is looked how much changes
 PIECES = 64  # of the way, in each of which that is looked at
 ROOM = 1.25  # for what is more between the places that are looked at
+SPREAD = 1.25  # of the box: so far places are scattered, and those beyond it are moved to its sides
 MARGIN = 0.25  # of the size: so far beyond the box places are looked for, where the formulas are finite
 STEP = 1e-6  # of the size: over which slopes are taken
 STEPS, HALVINGS = 40, 8  # of Newton's method, and of its steps where it misses by more
@@ -52,7 +52,7 @@ class Deformation(Change):
         breaks = apart(measure.at(motion.trajectory.joints()), measure.total)
         looked = np.abs(laws(np.linspace(0.0, measure.total, PIECES + 1))).max(axis=0)
         self.laws = panels(laws, breaks, PARTS, np.maximum(looked, 1e-3 * looked.max()))
-        few = lattice(box, FEW)
+        few = scattered(box, FEW)
 
         def followed(s):
             known = np.repeat(np.column_stack((s, laws(s))), len(few), axis=0)
@@ -61,7 +61,7 @@ class Deformation(Change):
         reach = float(np.abs(followed(np.linspace(0.0, self.total, PIECES + 1))).max())
         self.reach = max(reach, LEAST)
         moved = panels(followed, breaks, PARTS, np.full(3 * len(few), self.reach))
-        super().__init__(box, *speeds(moved, ROOM), NODES)
+        super().__init__(box, *speeds(moved, ROOM), scattered(box, NODES))
         self.look()
 
     def known(self, s):
@@ -96,13 +96,13 @@ class Deformation(Change):
         return made
 
     def look(self):
-        """See on lattices where the solid gets, and by how much lengths change, in each piece of the way."""
+        """See in many places where the solid gets, and by how much lengths change, in each piece of the way."""
         edges = np.linspace(0.0, self.total, 2 * PIECES + 1)
         wide = self.box + MARGIN * self.extent * np.array([[-1.0], [1.0]])
         known = self.known(edges)
-        found = self.taken(np.tile(lattice(wide, FEW), (len(edges), 1)), np.repeat(known, FEW**3, axis=0))
+        found = self.taken(np.tile(scattered(wide, FEW), (len(edges), 1)), np.repeat(known, FEW, axis=0))
         self.room = wide if np.isfinite(found).all() else self.box
-        few, self.nodes = lattice(self.room, FEW), lattice(self.box, NODES)
+        few, self.nodes = scattered(self.room, FEW), self.places
         maps = self.maps(np.tile(few, (len(edges), 1)), np.repeat(edges, len(few)))
         stretches = np.linalg.svd(maps, compute_uv=False).reshape(len(edges), len(few), 3)
         least, most = stretches[..., 2].min(axis=1) / ROOM, ROOM * stretches[..., 0].max(axis=1)
@@ -159,3 +159,17 @@ class Deformation(Change):
             own[better] += solved(slopes, off[better])
             own = np.clip(own, *self.room)
         return best, missed
+
+
+def scattered(box, count):
+    """Places in a box, its corners and others by Kronecker's sequence, some of them on its sides: (count, 3).
+
+    Source
+    ------
+    Roberts: The unreasonable effectiveness of quasirandom sequences, 2018: the steps are powers of the root of
+    x^4 = x + 1.
+    """
+    root = 1.2207440846057596
+    parts = (0.5 + np.arange(1, count - 7)[:, None] / root ** np.arange(1, 4)) % 1.0
+    parts = np.clip(0.5 + SPREAD * (parts - 0.5), 0.0, 1.0)
+    return np.concatenate((corners(box), box[0] + parts * (box[1] - box[0])))

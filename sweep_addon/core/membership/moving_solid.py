@@ -15,7 +15,7 @@ import numpy as np
 
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import lattice
+from .changes import corners
 from .labels import IN, ON, OUT, decided
 from .panels import NODES, derivative, panels, powers
 from .sections import least_between
@@ -78,7 +78,7 @@ class MovingSolid:
         """The box of all poses: that of some, and what may be beyond it between them."""
         s = np.linspace(0.0, self.total, LOOKED)
         poses = motion.at(s)
-        places = motion.posed(self.change.places if self.change else lattice(self.solid.box, 2), poses)
+        places = motion.posed(self.change.places if self.change else corners(self.solid.box), poses)
         far = norms(places - poses.origin[:, None]).max()
         beyond = far * (turning * s[1]) ** 2 + s[1] + (self.change.most(s) if self.change else 0.0)
         return np.stack((places.min(axis=(0, 1)) - beyond, places.max(axis=(0, 1)) + beyond))
