@@ -59,15 +59,16 @@ class Swathe:
         return np.maximum(found, 0.0)
 
     def lattice(self, level, tolerance):
-        """The lattice for distances about a level."""
+        """The lattice for distances about a level; the last two are kept."""
         size = float(np.hypot(*(self.high - self.low))) + level
         room = max(tolerance, CLOSE * size)
-        if room not in self.lattices:
+        found = self.lattices.get((level, room))
+        if found is None:
             reach = level + room
             ends, inside = (self.low - reach, self.high + reach), self.area and self.inside
-            made = Nearby.of(self.apart, len(self.edges.start), *ends, level, room, inside)
-            self.lattices = {room: made} | dict(list(self.lattices.items())[:1])
-        return self.lattices[room]
+            found = Nearby.of(self.apart, len(self.edges.start), *ends, level, room, inside)
+            self.lattices = {(level, room): found} | dict(list(self.lattices.items())[:1])
+        return found
 
     def inside(self, places):
         """Negative where an end of the segments from places (k, 2) along x is in the area, by how far: (k,)."""
