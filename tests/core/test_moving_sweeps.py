@@ -131,6 +131,8 @@ ELBOW = sw.GeneralizedCylinder(
     sw.contours.Rectangle(0.2, 0.1), sw.trajectories.Polyline([(0, 0, 0), (0.7, 0, 0), (0.7, 0.6, 0)])
 )
 OVAL = sw.GeneralizedCylinder(sw.contours.Ellipse(0.3, 0.1), sw.trajectories.Arc(0.6, 3.0))
+WASHER = sw.contours.Outline([[(-0.6, 0), (0.6, 0)], [(-0.5, 0), (0.5, 0)]], bulges=[[1, 1], [1, 1]])
+NOTCHED = sw.contours.Outline([[(-0.5, 0), (-0.5, -0.75), (0.5, -0.75), (0.5, 0)]], bulges=[[0, 0, 0, -1]])
 TURNING = sw.RigidMotion(sw.trajectories.Line(end=(0.3, 0.2, 0.4)), turn_z="1.5*t", turn_x="0.7*t^2")
 MOVED = {
     "a twisted star": BENT,
@@ -138,6 +140,8 @@ MOVED = {
     "what crosses itself": CROSSING,
     "a mitre": ELBOW,
     "an oval": OVAL,
+    "arcs scaled flat": sw.GeneralizedCylinder(WASHER, UP, scale_x=1, scale_y=0.1),
+    "an arc that bends inwards, narrow": sw.GeneralizedCylinder(NOTCHED, UP, scale_x=0.1, scale_y="1 - 0.2*t"),
     "a deformed contour": sw.GeneralSweep(
         sw.contours.Rectangle(0.4, 0.2), sw.trajectories.Line(), deform_x="x*(1 + 0.5*sin(3*t + y))"
     ),

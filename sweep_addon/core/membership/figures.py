@@ -3,18 +3,18 @@
 """How far points are from a contour that stands scaled or leaning in its plane.
 
 A map of the plane takes the contour's own places to where they stand. Of lines the ends are mapped, and of lines that
-change too. Of curves the distance is that to first order: outside a convex one it is never too large.
+change too. Of curves the distance is that to first order or less, and nowhere too large: a place that is nearer to one
+side of a contour may be nearer to another when the map has taken both.
 """
 
 import numpy as np
 
 from ..vectors import dot
-from .drawn import Drawn
 from .loops import Loops
+from .maps import narrowest, slopes
 from .one_by_one import nearest_of
 from .smooth import Disc, Superdisc
-
-LEAST = 1e-300
+from .strands import Strands
 
 
 def stretch(scales, x=None, y=None):
@@ -41,32 +41,12 @@ def mapped(region, points, parameters, maps):
         return of_convex(held if isinstance(held, Superdisc) else Superdisc((held.radius,) * 2, 2.0), points, maps)
     if isinstance(held, Loops):
         return nearest_of(held, *points.T, maps)
-    if isinstance(held, Drawn):
-        return held.mapped(points, parameters, maps)
-    depth, outward = region.exact(points, parameters)
-    return np.sign(depth) * np.minimum(np.abs(depth) / slopes(outward, maps), narrowest(maps) * region.radius)
+    if isinstance(held, Strands):
+        return np.abs(nearest_of(held.edges, *points.T, maps))
+    return region.mapped(points, parameters, maps)
 
 
 def of_convex(disc, points, maps):
-    """The same of a `Superdisc`: outside it is never too large, as its level is convex."""
+    """The same of a `Superdisc`."""
     level, slope = disc.levels(points)
-    first = (level - 1) / np.maximum(slopes(slope, maps), LEAST)
-    return disc.bounded(level, first, narrowest(maps), widest(maps))
-
-
-def slopes(outward, maps):
-    """By what a distance that grows along directions (n, 2) grows where maps take all: (n,)."""
-    a, b, d = maps[:, 0, 0], maps[:, 0, 1], maps[:, 1, 1]
-    first = outward[:, 0] / a
-    return np.hypot(first, (outward[:, 1] - b * first) / d)
-
-
-def narrowest(maps):
-    """How much maps (n, 2, 2) stretch at least: (n,)."""
-    return maps[:, 0, 0] * maps[:, 1, 1] / widest(maps)
-
-
-def widest(maps):
-    """How much they stretch at most: (n,)."""
-    squares, product = (maps**2).sum(axis=(1, 2)), maps[:, 0, 0] * maps[:, 1, 1]
-    return np.sqrt((squares + np.sqrt(np.maximum(squares**2 - 4 * product**2, 0.0))) / 2)
+    return disc.bounded(level, slopes(slope, maps), narrowest(maps))

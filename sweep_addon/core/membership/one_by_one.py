@@ -4,6 +4,8 @@
 
 import numpy as np
 
+from .maps import narrowest
+
 LEAST = 1e-300
 
 
@@ -18,7 +20,7 @@ def nearest_of(loops, x, y, maps=None, kept=None):
     x, y : (n,) float array
     maps : (n, 2, 2) float array, optional
         Maps of the plane, lower left 0: what they make of all is where distances count. Those from arcs are told to
-        first order, at their ends exactly.
+        first order or less, from their ends exactly.
     kept : (m,) bool array, optional
         The edges from which the distance is, where not from all; the side is that of all.
     """
@@ -77,7 +79,11 @@ def from_line(along, up, right, above, maps):
 
 
 def from_arc(loops, number, x, y, left_of, maps):
-    """The squares of the distances from an arc but not from its ends, and which places are between it and its chord."""
+    """The squares of the distances from an arc but not from its ends, and which places are between it and its chord.
+
+    Mapped it is a part of an ellipse. Which of its places is nearest may change: beyond its ends it is at least as far
+    as the ellipse, and as the nearer end was before it was mapped, stretched the least.
+    """
     centre, radius, bulge = loops.centres[number], loops.radii[number], loops.bulges[number]
     sign = np.sign(bulge)
     x, y = x - centre[0], y - centre[1]
@@ -85,9 +91,28 @@ def from_arc(loops, number, x, y, left_of, maps):
     after, ahead = (a * y - b * x) * sign >= 0, (x * d - y * c) * sign >= 0
     beside = after & ahead if abs(bulge) <= 1 else after | ahead
     from_centre = np.sqrt(x * x + y * y)
-    far = (from_centre - radius) ** 2
-    if maps is not None:
-        first = x / maps[:, 0, 0]
-        steep = first**2 + ((y - maps[:, 0, 1] * first) / maps[:, 1, 1]) ** 2
-        far = far * from_centre**2 / np.maximum(steep, LEAST)
-    return np.where(beside, far, np.inf), (from_centre < radius) & (left_of != (bulge > 0))
+    between = (from_centre < radius) & (left_of != (bulge > 0))
+    if maps is None:
+        return np.where(beside, (from_centre - radius) ** 2, np.inf), between
+    narrow = narrowest(maps)
+    far = from_ellipse(x, y, from_centre, radius, maps, narrow) ** 2
+    ends = np.minimum((x - a) ** 2 + (y - b) ** 2, (x - c) ** 2 + (y - d) ** 2)
+    return np.where(beside, far, np.maximum(far, narrow**2 * ends)), between
+
+
+def from_ellipse(x, y, from_centre, radius, maps, narrow):
+    """How far places about a circle's centre are from the ellipse that maps make of it, or less: (n,).
+
+    Outside it is the distance to first order, that from a tangent. Inside the square of the scaled radius grows as
+    steeply as here, and by its greatest bend faster.
+    """
+    first = x / maps[:, 0, 0]
+    steep = np.hypot(first, (y - maps[:, 0, 1] * first) / maps[:, 1, 1])
+    outside = (from_centre - radius) * from_centre / np.maximum(steep, LEAST)
+    return np.where(from_centre > radius, outside, reached(radius**2 - from_centre**2, 2 * steep, 2 / narrow**2))
+
+
+def reached(missing, steep, bend):
+    """How far it is at least to where a function has grown by what is missing, of a slope that grows so much."""
+    missing = np.maximum(missing, 0.0)
+    return 2 * missing / np.maximum(steep + np.sqrt(steep**2 + 2 * bend * missing), LEAST)

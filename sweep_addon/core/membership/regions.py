@@ -10,6 +10,7 @@ from ..contours import Circle, Ellipse, Fit, Outline, Superellipse, all_fitted
 from ..later import later
 from ..meshes.runs import run_of
 from .loops import Loops
+from .maps import narrowest, slopes
 from .smooth import Disc, Superdisc
 from .strands import Strands
 
@@ -168,8 +169,18 @@ class Level:
 
     def distance(self, points, parameters):
         """How far points (n, 2) are from the boundary, to first order near it, and else less, negative inside: (n,)."""
-        least, first = self.depth(points, parameters), self.exact(points, parameters)[0]
-        near = np.abs(first) * (1 - np.abs(first) / (NEARLY * self.radius))
+        return self.mapped(points, parameters)
+
+    def mapped(self, points, parameters, maps=None):
+        """The same where maps (n, 2, 2) of the plane take all: (n,)."""
+        least, slope = self.depth(points, parameters), self.slopes(points, parameters)
+        steep, narrow = np.hypot(*slope.T), 1.0
+        if maps is not None:
+            least, steep, narrow = least * narrowest(maps), slopes(slope, maps), narrowest(maps)
+        most = NEARLY * self.radius * narrow
+        value = np.abs(self.region.evaluate(*points.T, parameters / self.total))
+        first = np.minimum(value, most * steep) / np.maximum(steep, LEAST)  # so that no square overflows
+        near = first * (1 - first / most)
         within = (np.abs(points) <= self.box[1]).all(axis=1)
         return np.where(within, np.sign(least) * np.maximum(np.abs(least), near), least)
 

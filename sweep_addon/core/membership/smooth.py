@@ -13,6 +13,7 @@ import numpy as np
 
 from ..declared.frozen import individual
 from ..vectors import dot, unit
+from .one_by_one import reached
 
 LEAST = 1e-300  # keeps quotients at a centre finite
 LOOKED = 17  # places of a quarter of a curve where it is looked at, and as many evenly by how it turns
@@ -78,20 +79,36 @@ class Superdisc:
     def fair(self, x, y):
         """How far places x (n,) and y (n,) are from the curve, or a fair part of that, negative inside: (n,)."""
         level, slope = self.levels(np.stack((x, y), axis=1))
-        steep = np.sqrt(slope[:, 0] ** 2 + slope[:, 1] ** 2)
-        return self.bounded(level, (level - 1) / np.maximum(steep, LEAST))
+        return self.bounded(level, np.sqrt(slope[:, 0] ** 2 + slope[:, 1] ** 2))
 
-    def bounded(self, level, first, narrow=1.0, wide=1.0):
-        """A distance to first order made one that is nowhere too large, where all is stretched so little and so much.
+    def bounded(self, level, steep, narrow=1.0):
+        """A distance that is nowhere too large, where the level rises so steeply and all is stretched at least so much.
 
         The level is convex: outside the distance to first order is that from a tangent, and not too large. It grows by
-        one in no less than the radius of a ball inside, on either side.
+        one in no less than the radius of a ball inside, on either side. Inside the sum of powers grows as steeply as
+        here, and by how much its slope may change faster: n (n - 1) in a radius for each radius, or, where n is less
+        than 2 and the slope bends without bound on the axes, n 2^(2 - n) times the power n - 1 of the radii.
         """
-        a, b = self.half
-        ball = narrow * (min(a, b) if self.exponent >= 2 else a * b / np.hypot(a, b))
-        bend = ball**2 / (wide * max(a, b))  # the radius of the sharpest bend of an ellipse
-        inside = np.maximum((1 - level) * ball, -first * (1 + first / bend))
-        return np.where(level < 1, -inside, np.maximum(first, (level - 1) * ball))
+        n, ball = self.exponent, narrow * self.ball
+        within = np.minimum(level, 1.0)
+        missing, slope = 1 - within**n, n * within ** (n - 1) * steep
+        if n >= 2:
+            inside = reached(missing, slope, n * (n - 1) / ball**2)
+        else:
+            most = np.minimum(missing / np.maximum(slope * ball, LEAST), (missing / 2 ** (2 - n)) ** (1 / n))
+            inside = missing / np.maximum(slope + 2 ** (2 - n) * most ** (n - 1) / ball, LEAST)
+        first = (level - 1) / np.maximum(steep, LEAST)
+        ball_away = np.abs(level - 1) * ball
+        return np.where(level < 1, -np.maximum(inside, ball_away), np.maximum(first, ball_away))
+
+    @cached_property
+    def ball(self):
+        """The radius of the largest disc inside."""
+        small, ratio = min(self.half), min(self.half) / max(self.half)
+        if self.exponent >= 2:
+            return small
+        power = 2 * self.exponent / (2 - self.exponent)
+        return small * (1 + ratio**power) ** (-1 / power)
 
     def exact(self, points):
         """The distance from the curve, negative inside, and unit vectors away from it: (n,), (n, 2)."""
