@@ -119,7 +119,7 @@ LAWS = {
 
 @pytest.mark.parametrize("name", LAWS)
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
-def test_a_scaled_tree_is_where_many_poses_of_it_are(name, tolerance):
+def test_a_scaled_drilled_mesh_is_where_many_poses_of_it_are(name, tolerance):
     """What 4,001 poses visit is visited; what is far from all of them by more than it moves between two is not."""
     pytest.importorskip("manifold3d", reason="the mesh of a tree is asked of manifold3d")
     laws, largest = LAWS[name]
@@ -159,3 +159,43 @@ def test_what_is_scaled_may_be_an_operand_and_move_once_more():
     moved = sw.SweptSolid(grown, sw.trajectories.Line(end=(0, 0, 1e-3)))
     clear = np.abs(far) > 5e-3
     assert (sw.classify(moved, points[:300], 1e-3) == np.sign(-far[:300]))[clear[:300]].all()
+
+
+@pytest.mark.parametrize("tolerance", [None, 1e-12, 1e-4, 1e-2])
+@pytest.mark.parametrize("laws", [{"scale_z": "max(0, 2*t - 1)"}, {"deform_z": "z*max(0, 2*t - 1)"}])
+def test_a_solid_that_is_flat_has_no_inside_and_leaves_nothing(laws, tolerance):
+    """A ball that is flat on the first half of its way, up to x = 1, and then grows: as its mesh has it."""
+    sweep = sw.GeneralSweep(sw.solids.Ball(0.3), sw.trajectories.Line(end=(2, 0, 0)), **laws)
+    points = np.zeros((12, 3))
+    points[:, 0] = np.append(np.linspace(-0.2, 0.6, 9), (1.6, 2.0, 2.4))
+    points[1, 1], points[2, 1] = 0.1, -0.2
+    assert sw.classify(sweep, points, tolerance).tolist() == [-1] * 9 + [1, 1, -1]
+
+
+@pytest.mark.parametrize(
+    ("body", "scale", "half", "tolerance"),
+    [(sw.solids.Ball(0.3), 0.5, 0.15, 0.1515), (sw.solids.Block(1.0, 1.0, 1.0), 0.1, 0.05, 0.0505)],
+)
+@pytest.mark.parametrize("law", ["scale_z", "deform_z"])
+def test_a_pose_that_is_thinner_than_the_tolerance_has_no_inside(law, body, scale, half, tolerance):
+    """No point is farther from the boundary of its pose than half as much as that is thick, which is less."""
+    changed = {law: scale if law == "scale_z" else f"z*{scale}"}
+    sweep = sw.GeneralSweep(body, sw.trajectories.Line(end=(1, 0, 0)), **changed)
+    points = in_box((-0.3, -0.3, -half), (1.3, 0.3, half), 1_000, 5)
+    across = (points - np.clip(points[:, :1], 0, 1) * (1, 0, 0)) / (1, 1, scale)
+    inside = points[np.linalg.norm(across, axis=1) < 0.3]
+    assert len(inside) > 300
+    assert (sw.classify(sweep, inside, tolerance) == 0).all()
+
+
+@pytest.mark.parametrize("tolerance", [0.01, 0.03])
+def test_deep_in_an_ellipsoid_points_are_on_within_a_large_tolerance(tolerance):
+    """Along its normal a point is as deep as it is put, up to the least radius of curvature, 0.04 here."""
+    sweep = sw.GeneralSweep(sw.solids.Ball(0.5), sw.trajectories.Line(end=(1, 0, 0)), **ELLIPSOID)
+    angle = np.random.default_rng(1).uniform(0, 2 * pi, 400)
+    x = np.random.default_rng(2).uniform(0.4, 0.6, 400)
+    normal = np.stack((0 * angle, np.cos(angle) / 0.2, np.sin(angle)), axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    off = np.tile([-1.02, -0.98], 200) * tolerance
+    points = np.stack((x, 0.2 * np.cos(angle), np.sin(angle)), axis=1) + off[:, None] * normal
+    assert (sw.classify(sweep, points, tolerance) == np.tile([1, 0], 200)).all()

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..declared.parameters import require
 from ..trajectories.arc_length import arc_length
-from ..vectors import norms
+from ..vectors import norms, unit
 from .panels import NODES, derivative, panels, powers
 from .ways import PARTS, apart
 
@@ -23,7 +23,13 @@ HALVINGS = 20  # of what is between two poses
 FASTER = 1.5  # times its speed about a pose: where a solid changes faster than that it is looked at again
 ROOM = 1.1  # for what changes faster between the places that are looked at
 LOOKED = 257
-FLATTEST = 1e-9  # of the largest scale: what is flatter counts as so thick
+FLATTEST = 1e-9  # of the largest scale: what is flatter counts as so thick, and has no inside
+FLAT = 1 + 1e-6  # times that, for rounding
+AFTER = 1e-6  # of the way: what is flat so much before and after, too, stays so
+BEYOND = 1.001  # tolerances: so far at least is what is not on
+AROUND = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z], dtype=float)
+AROUND = AROUND / norms(AROUND)[:, None]  # directions in which is looked for what is outside
+FALLS = 4  # times it is looked for where the depth falls fastest
 APART = 0.5  # of a solid's size: what is farther from its box is as far from the solid, or farther
 DIFFERENCE = 1e-6  # of a solid's size: over which slopes are taken
 SINGULAR, ASIDE = 1e-12, 1e-6  # a determinant of less turns no way back, until so much of the map's size is added
@@ -58,7 +64,14 @@ class Change:
         two of these places.
     places : (p, 3) float array, optional
         In the solid's box, that tell where it gets: its corners, if no others are given.
+
+    Attributes
+    ----------
+    is_unique : bool
+        Whether points have one place in the solid also where it is flat.
     """
+
+    is_unique = True
 
     def __init__(self, box, edges, growth, places=None):
         self.box, self.size = box, float(norms(box[1] - box[0]))
@@ -116,15 +129,63 @@ class Change:
         found = distant(solid, own.places, self.box, APART * self.size)
         value = own.least * found
         value = np.where(own.away > 0, own.away + np.maximum(value, 0.0), value)
-        near = np.flatnonzero((np.abs(value) <= tolerance) & (own.least < own.most))
+        near = np.abs(value) <= max(tolerance, self.flattest * self.size)
+        near = np.flatnonzero(near & ((own.least < own.most) | (own.least <= self.flattest)))
         if len(near):
-            slope = slopes(solid, own.places[near], DIFFERENCE * self.size)
-            maps = self.maps(own.places[near], s if np.ndim(s) == 0 else s[near])
-            steep = norms(solved(maps.swapaxes(1, 2), slope))
-            value[near] = found[near] / np.clip(steep, 1 / own.most[near], 1 / own.least[near])
-            missed = np.hypot(np.maximum(value[near], 0.0), own.missed[near])
-            value[near] = np.where(own.away[near] > 0, missed, value[near])
+            s = s if np.ndim(s) == 0 else s[near]
+            value[near] = self.nearly(solid, Own(*(part[near] for part in own)), found[near], s, tolerance)
         return value
+
+    def nearly(self, solid, own, found, s, tolerance):
+        """How far places are from a changed solid where they are within a tolerance, or perhaps deeper: (n,).
+
+        To first order, but no deeper than the tolerance where what is so far away is outside. What is flat has no
+        inside, and where it stays so it is nothing.
+        """
+        maps = np.nan_to_num(self.maps(own.places, s))
+        steep = norms(solved(maps.swapaxes(1, 2), slopes(solid, own.places, DIFFERENCE * self.size)))
+        value = found / np.clip(steep, 1 / own.most, 1 / own.least)
+        value = np.where(own.away > 0, np.hypot(np.maximum(value, 0.0), own.missed), value)
+        axes, stretches, _ = np.linalg.svd(maps)
+        flat = stretches[:, 2] <= FLAT * self.flattest
+        value[flat] = np.maximum(value[flat], 0.0)
+        deep = np.flatnonzero(value < -tolerance)
+        if tolerance and len(deep):
+            value[deep[self.pierced(solid, own.places[deep], maps[deep], axes[deep], tolerance)]] = -tolerance
+        which = np.flatnonzero(flat)
+        nothing = self.stays_flat(own.places[which], s if np.ndim(s) == 0 else s[which])
+        nothing |= (not self.is_unique) & (found[which] > 0)  # another place of the same may be nearer, or inside
+        value[which[nothing]] = np.maximum(value[which[nothing]], BEYOND * tolerance)
+        return value
+
+    def stays_flat(self, places, s):
+        """About which places (n, 3) of a solid that is flat it is so before and after, too: (n,) bool."""
+        total, found = self.edges[-1], np.ones(len(places), dtype=bool)
+        for step in (-AFTER * total, AFTER * total):
+            maps = np.nan_to_num(self.maps(places, np.clip(s + step, 0.0, total)))
+            found &= np.linalg.svd(maps, compute_uv=False)[:, 2] <= FLAT * self.flattest
+        return found
+
+    def pierced(self, solid, places, maps, axes, tolerance):
+        """Which places (n, 3) of a solid have what is outside within a tolerance, as maps have it: (n,) bool.
+
+        Asked are places in some directions, and from the one that is least deep on where the depth falls fastest.
+        """
+        ways = np.einsum("nij,pj->npi", axes, AROUND)
+        moved = solved(np.repeat(maps, len(AROUND), axis=0), tolerance * ways.reshape(-1, 3))
+        moved = places[:, None] + moved.reshape(ways.shape)
+        there = distant(solid, moved.reshape(-1, 3), self.box, APART * self.size).reshape(ways.shape[:2])
+        best = there.argmax(axis=1)
+        rows = np.arange(len(places))
+        moved, found = moved[rows, best], there[rows, best] > 0
+        for _ in range(FALLS):
+            left = np.flatnonzero(~found)
+            if not len(left):
+                break
+            fall = solved(maps[left].swapaxes(1, 2), slopes(solid, moved[left], DIFFERENCE * self.size))
+            moved[left] = places[left] + solved(maps[left], tolerance * unit(fall))
+            found[left] = distant(solid, moved[left], self.box, APART * self.size) > 0
+        return found
 
 
 class Scaling(Change):
@@ -146,8 +207,7 @@ class Scaling(Change):
 
         looked = np.abs(scales(np.linspace(0.0, measure.total, LOOKED)))
         require(looked.min(axis=1).max() > FLATTEST * looked.max(), "must not be 0 everywhere", 0.0, "scale_x")
-        self.largest = float(looked.max())
-        self.flattest = FLATTEST * self.largest
+        self.flattest = FLATTEST * looked.max()
         breaks = apart(measure.at(motion.trajectory.joints()), measure.total)
         self.panels = panels(scales, breaks, PARTS, np.full(3, looked.max()))
         super().__init__(box, *speeds(self.panels, np.abs(box).max(axis=0)))

@@ -14,7 +14,7 @@ from ..formulas.expressions import compile
 from ..shapes.general_sweep import PLACES
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import APART, LEAST, Change, Own, corners, held, solved, speeds
+from .changes import APART, FLATTEST, LEAST, Change, Own, corners, held, solved, speeds
 from .panels import panels
 from .ways import PARTS, apart
 
@@ -39,6 +39,8 @@ class Deformation(Change):
     box : (2, 3) float array
         Around the solid itself.
     """
+
+    is_unique = False
 
     def __init__(self, motion, box):
         measure = arc_length(motion.trajectory)
@@ -108,7 +110,7 @@ class Deformation(Change):
         least, most = stretches[..., 2].min(axis=1) / ROOM, ROOM * stretches[..., 0].max(axis=1)
         pieces = np.stack([np.arange(0, 2 * PIECES, 2) + number for number in range(3)])
         self.shortest, self.longest = least[pieces].min(axis=0), most[pieces].max(axis=0)
-        self.shortest, self.largest = np.maximum(self.shortest, 1e-9 * self.longest), float(self.longest.max())
+        self.shortest, self.flattest = np.maximum(self.shortest, 1e-9 * self.longest), FLATTEST * self.longest.max()
         places = self.taken(np.tile(self.nodes, (len(edges), 1)), np.repeat(known, len(self.nodes), axis=0))
         places = places.reshape(len(edges), -1, 3)
         self.images = places[1::2]

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import corners
+from .changes import BEYOND, corners
 from .labels import IN, ON, OUT, decided
 from .panels import NODES, derivative, panels, powers
 from .sections import least_between
@@ -28,7 +28,6 @@ SHORTEST = 1e-3  # of the way: what is left of it when it is not halved any more
 HALVED = 32.0  # tolerances: what the solid moves in less is halved on
 DEEP = 1e-3  # of the size
 ROOM = 1.1  # of what changes, for what changes faster between places that were looked at
-BEYOND = 1.001  # tolerances: so far at least is what is not on
 SAME = 1e-7  # of the size: motions that differ by more jump or turn at once
 
 
@@ -216,10 +215,7 @@ class MovingSolid:
         found = change.distance(self.solid, places, s, tolerance) if change else self.solid.distance(places)
         near = np.flatnonzero(np.abs(found) <= tolerance) if self.overlaps and tolerance else ()
         if len(near):
-            own, room, away = places[near], tolerance, 0.0
-            if change:
-                own, _, _, away, _ = change.back(own, s[near] if np.ndim(s) else s)
-                room = tolerance / change.largest
-            labels = np.where(away, ON, decided(self.solid.labels(own, room), own, room, self.solid))
+            own = places[near]
+            labels = decided(self.solid.labels(own, tolerance), own, tolerance, self.solid)
             found[near] = np.where(labels == ON, found[near], -BEYOND * tolerance * labels)
         return found
