@@ -26,6 +26,7 @@ def nearest_of(loops, x, y, maps=None, kept=None):
     """
     least, inside = np.full(len(x), np.inf), np.zeros(len(x), dtype=bool)
     kept = np.ones(len(loops.start), dtype=bool) if kept is None else kept
+    narrow = narrowest(maps) if maps is not None and loops.arcs.any() else None
     for number, ((a, b), (c, d)) in enumerate(zip(loops.start.tolist(), loops.end.tolist(), strict=True)):
         along, up, right, above = c - a, d - b, x - a, y - b
         if up == 0:
@@ -34,7 +35,7 @@ def nearest_of(loops, x, y, maps=None, kept=None):
             left_of = along * above - up * right > 0
             inside ^= ((above >= 0) != (y >= d)) & (left_of == (up > 0))
         if loops.arcs[number]:
-            far, between = from_arc(loops, number, x, y, left_of, maps)
+            far, between = from_arc(loops, number, x, y, left_of, maps, narrow)
             inside ^= between
         if not kept[number]:
             continue
@@ -78,7 +79,7 @@ def from_line(along, up, right, above, maps):
     return right * right + above * above
 
 
-def from_arc(loops, number, x, y, left_of, maps):
+def from_arc(loops, number, x, y, left_of, maps, narrow):
     """The squares of the distances from an arc but not from its ends, and which places are between it and its chord.
 
     Mapped it is a part of an ellipse. Which of its places is nearest may change: beyond its ends it is at least as far
@@ -94,7 +95,6 @@ def from_arc(loops, number, x, y, left_of, maps):
     between = (from_centre < radius) & (left_of != (bulge > 0))
     if maps is None:
         return np.where(beside, (from_centre - radius) ** 2, np.inf), between
-    narrow = narrowest(maps)
     far = from_ellipse(x, y, from_centre, radius, maps, narrow) ** 2
     ends = np.minimum((x - a) ** 2 + (y - b) ** 2, (x - c) ** 2 + (y - d) ** 2)
     return np.where(beside, far, np.maximum(far, narrow**2 * ends)), between
@@ -107,7 +107,8 @@ def from_ellipse(x, y, from_centre, radius, maps, narrow):
     steeply as here, and by its greatest bend faster.
     """
     first = x / maps[:, 0, 0]
-    steep = np.hypot(first, (y - maps[:, 0, 1] * first) / maps[:, 1, 1])
+    second = (y - maps[:, 0, 1] * first) / maps[:, 1, 1]
+    steep = np.sqrt(first * first + second * second)
     outside = (from_centre - radius) * from_centre / np.maximum(steep, LEAST)
     return np.where(from_centre > radius, outside, reached(radius**2 - from_centre**2, 2 * steep, 2 / narrow**2))
 
