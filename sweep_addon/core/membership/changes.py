@@ -15,6 +15,8 @@ import numpy as np
 from ..declared.parameters import require
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms, unit
+from .boxes import APART, corners, from_box
+from .linear import LEAST, solved
 from .panels import NODES, derivative, panels, powers
 from .ways import PARTS, apart
 
@@ -30,10 +32,8 @@ BEYOND = 1.001  # tolerances: so far at least is what is not on
 AROUND = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z], dtype=float)
 AROUND = AROUND / norms(AROUND)[:, None]  # directions in which is looked for what is outside
 FALLS = 4  # times it is looked for where the depth falls fastest
-APART = 0.5  # of a solid's size: what is farther from its box is as far from the solid, or farther
 DIFFERENCE = 1e-6  # of a solid's size: over which slopes are taken
-SINGULAR, ASIDE = 1e-12, 1e-6  # a determinant of less turns no way back, until so much of the map's size is added
-LEAST = 1e-300
+ASIDE = 1e-6  # of the size of a map: what is added where it is flat
 
 
 class Own(NamedTuple):
@@ -143,7 +143,7 @@ class Change:
         inside, and where it stays so it is nothing.
         """
         maps = np.nan_to_num(self.maps(own.places, s))
-        steep = norms(solved(maps.swapaxes(1, 2), slopes(solid, own.places, DIFFERENCE * self.size)))
+        steep = norms(solved(maps.swapaxes(1, 2), slopes(solid, own.places, DIFFERENCE * self.size), ASIDE))
         value = found / np.clip(steep, 1 / own.most, 1 / own.least)
         value = np.where(own.away > 0, np.hypot(np.maximum(value, 0.0), own.missed), value)
         axes, stretches, _ = np.linalg.svd(maps)
@@ -172,7 +172,7 @@ class Change:
         Asked are places in some directions, and from the one that is least deep on where the depth falls fastest.
         """
         ways = np.einsum("nij,pj->npi", axes, AROUND)
-        moved = solved(np.repeat(maps, len(AROUND), axis=0), tolerance * ways.reshape(-1, 3))
+        moved = solved(np.repeat(maps, len(AROUND), axis=0), tolerance * ways.reshape(-1, 3), ASIDE)
         moved = places[:, None] + moved.reshape(ways.shape)
         there = distant(solid, moved.reshape(-1, 3), self.box, APART * self.size).reshape(ways.shape[:2])
         best = there.argmax(axis=1)
@@ -182,8 +182,8 @@ class Change:
             left = np.flatnonzero(~found)
             if not len(left):
                 break
-            fall = solved(maps[left].swapaxes(1, 2), slopes(solid, moved[left], DIFFERENCE * self.size))
-            moved[left] = places[left] + solved(maps[left], tolerance * unit(fall))
+            fall = solved(maps[left].swapaxes(1, 2), slopes(solid, moved[left], DIFFERENCE * self.size), ASIDE)
+            moved[left] = places[left] + solved(maps[left], tolerance * unit(fall), ASIDE)
             found[left] = distant(solid, moved[left], self.box, APART * self.size) > 0
         return found
 
@@ -214,7 +214,7 @@ class Scaling(Change):
 
     def scales(self, s):
         """The scales at places of the way, (n,) or one: (n, 3) or (3,) float array, none of them 0."""
-        found = held(self.panels, np.atleast_1d(s))
+        found = self.panels.held(np.atleast_1d(s))
         found = np.where(np.abs(found) < self.flattest, np.copysign(self.flattest, found), found)
         return found if np.ndim(s) else found[0]
 
@@ -246,21 +246,9 @@ def speeds(changed, factors):
     return np.append(changed.start, changed.end[-1]), ROOM * moved.max(axis=(1, 2))
 
 
-def corners(box):
-    """The corners of a box: (8, 3)."""
-    return np.stack(np.meshgrid(*box.T, indexing="ij"), axis=-1).reshape(-1, 3)
-
-
-def held(kept, s):
-    """The channels of `Panels` at places of the way (n,): (n, c)."""
-    panel = np.clip(np.searchsorted(kept.start, s, side="right") - 1, 0, len(kept.start) - 1)
-    start, end = kept.start[panel], kept.end[panel]
-    return kept.at(panel, np.clip((2 * s - start - end) / (end - start), -1.0, 1.0))
-
-
 def distant(solid, places, box, far):
     """The distance of places (n, 3) from a solid; of those farther from its box than some way that from the box."""
-    beyond = norms(np.maximum(np.maximum(box[0] - places, places - box[1]), 0.0))
+    beyond = from_box(places, *box)
     near = np.flatnonzero(beyond <= far)
     beyond[near] = solid.distance(places[near])
     return beyond
@@ -271,12 +259,3 @@ def slopes(solid, places, step):
     moved = places[:, None, None] + step * np.array([[1.0], [-1.0]])[..., None] * np.eye(3)
     there = solid.distance(moved.reshape(-1, 3)).reshape(len(places), 2, 3)
     return (there[:, 0] - there[:, 1]) / (2 * step)
-
-
-def solved(maps, vectors):
-    """What linear maps (n, 3, 3) take to vectors (n, 3), nearly so where they are flat: (n, 3)."""
-    maps = np.nan_to_num(maps)
-    size = np.abs(maps).max(axis=(1, 2), initial=0.0)[:, None, None]
-    flat = np.abs(np.linalg.det(maps / np.where(size > 0, size, 1.0))) < SINGULAR
-    maps = np.where(flat[:, None, None], maps + ASIDE * size * np.eye(3) + LEAST * np.eye(3), maps)
-    return np.linalg.solve(maps, vectors[..., None])[..., 0]

@@ -14,7 +14,9 @@ from ..formulas.expressions import compile
 from ..shapes.general_sweep import PLACES
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import APART, FLATTEST, LEAST, Change, Own, corners, held, solved, speeds
+from .boxes import APART, from_box, scattered
+from .changes import ASIDE, FLATTEST, Change, Own, speeds
+from .linear import LEAST, solved
 from .panels import panels
 from .ways import PARTS, apart
 
@@ -22,7 +24,6 @@ NODES = 729  # places in the box where Newton's method begins, and that tell whe
 FEW = 125  # where it is looked how much changes
 PIECES = 64  # of the way, in each of which that is looked at
 ROOM = 1.25  # for what is more between the places that are looked at
-SPREAD = 1.25  # of the box: so far places are scattered, and those beyond it are moved to its sides
 MARGIN = 0.25  # of the size: so far beyond the box places are looked for, where the formulas are finite
 STEP = 1e-6  # of the size: over which slopes are taken
 STEPS, HALVINGS = 40, 8  # of Newton's method, and of its steps where it misses by more
@@ -45,7 +46,6 @@ class Deformation(Change):
     def __init__(self, motion, box):
         measure = arc_length(motion.trajectory)
         self.total, self.formulas = measure.total, [compile(formula, PLACES) for formula in motion.formulas]
-        self.extent = float(norms(box[1] - box[0]))
 
         def laws(s):
             u, t = measure.parameter(s), s / measure.total
@@ -68,7 +68,7 @@ class Deformation(Change):
 
     def known(self, s):
         """The arc length, the trajectory's parameter and the scales at places of the way (n,): (n, 5)."""
-        return np.column_stack((s, held(self.laws, s)))
+        return np.column_stack((s, self.laws.held(s)))
 
     def taken(self, places, known, told=False):
         """Where places (n, 3) of the solid itself are, of what is known where: (n, 3), NaN where it is nowhere.
@@ -90,7 +90,7 @@ class Deformation(Change):
 
     def derived(self, places, known, here):
         """The derivatives at places that are taken here: (n, 3, 3)."""
-        step, made = STEP * self.extent, np.empty((len(places), 3, 3))
+        step, made = STEP * self.size, np.empty((len(places), 3, 3))
         inward = np.where(places > self.box.mean(axis=0), -step, step)  # formulas may end where the solid does
         for axis in range(3):
             there = self.taken(places + inward * np.eye(3)[axis], known)
@@ -100,7 +100,7 @@ class Deformation(Change):
     def look(self):
         """See in many places where the solid gets, and by how much lengths change, in each piece of the way."""
         edges = np.linspace(0.0, self.total, 2 * PIECES + 1)
-        wide = self.box + MARGIN * self.extent * np.array([[-1.0], [1.0]])
+        wide = self.box + MARGIN * self.size * np.array([[-1.0], [1.0]])
         known = self.known(edges)
         found = self.taken(np.tile(scattered(wide, FEW), (len(edges), 1)), np.repeat(known, FEW, axis=0))
         self.room = wide if np.isfinite(found).all() else self.box
@@ -122,7 +122,7 @@ class Deformation(Change):
         """Places (n, 3) as the solid itself has them; those far from what it becomes are in its middle."""
         s = np.broadcast_to(s, len(places))
         piece = np.clip((s / self.total * PIECES).astype(int), 0, PIECES - 1)
-        away = norms(np.maximum(np.maximum(self.low[piece] - places, places - self.high[piece]), 0.0))
+        away = from_box(places, self.low[piece], self.high[piece])
         own = np.broadcast_to(self.box.mean(axis=0), places.shape).copy()
         least, most = self.shortest[piece], self.longest[piece]
         near = np.flatnonzero(away <= APART * self.reach)
@@ -158,20 +158,6 @@ class Deformation(Change):
             active, own, off, better, here = (part[going] for part in (active, own, off, better, here))
             own = (own + best[active]) / 2
             slopes = self.derived(own[better], known[active[better]], here[better])
-            own[better] += solved(slopes, off[better])
+            own[better] += solved(slopes, off[better], ASIDE)
             own = np.clip(own, *self.room)
         return best, missed
-
-
-def scattered(box, count):
-    """Places in a box, its corners and others by Kronecker's sequence, some of them on its sides: (count, 3).
-
-    Source
-    ------
-    Roberts: The unreasonable effectiveness of quasirandom sequences, 2018: the steps are powers of the root of
-    x^4 = x + 1.
-    """
-    root = 1.2207440846057596
-    parts = (0.5 + np.arange(1, count - 7)[:, None] / root ** np.arange(1, 4)) % 1.0
-    parts = np.clip(0.5 + SPREAD * (parts - 0.5), 0.0, 1.0)
-    return np.concatenate((corners(box), box[0] + parts * (box[1] - box[0])))

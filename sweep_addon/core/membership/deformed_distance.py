@@ -13,9 +13,10 @@ from functools import cached_property
 import numpy as np
 
 from ..vectors import dot, norms
-from .deforming import solved
+from .boxes import from_box
 from .labels import IN, decided
 from .least import CHUNK, FAIR, MOST, Along
+from .linear import solved
 from .loops import Loops
 from .smooth import Disc, Superdisc
 
@@ -101,8 +102,7 @@ class DeformedDistance:
         """How far so few points that all pairs fit into memory are from the boundary: (n,)."""
         point, piece, lower, most = self.along.candidates(points)
         cell, known = self.cell[piece], piece < len(self.start)
-        off = np.maximum(np.maximum(self.way.low[cell] - points[point], points[point] - self.way.high[cell]), 0.0)
-        lower = np.maximum(lower, norms(off))
+        lower = np.maximum(lower, from_box(points[point], self.way.low[cell], self.way.high[cell]))
         value = np.where(known, norms(points[point] - self.samples[np.where(known, piece, -1)]), lower)
         np.minimum.at(most, point, value)
         found = np.full(len(points), np.inf)

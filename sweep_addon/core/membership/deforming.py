@@ -17,6 +17,7 @@ from ..shapes.general_sweep import PLACES
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
 from .hash import Boxes
+from .linear import solved
 from .panels import panels
 from .ways import PARTS, apart
 
@@ -27,7 +28,6 @@ ROOM = 1.5  # for what is off between the places that are looked at
 STEP = 1e-6  # of the figure, and of the way: over which slopes are taken
 STEPS = 40  # of Newton's method
 LEAST_GAIN = 0.1  # of what is missed: a step that gains less is the last
-SINGULAR = 1e-12  # a determinant of less turns no way back
 EXACT = 1e-13  # of the size
 ROUNDING = 1e-12  # of the figure
 ASIDE = 1e-6  # of a half cell: roots so far outside count
@@ -82,9 +82,7 @@ class Deforming:
     def places(self, q):
         """Where places (n, 3) of figure and way are: (n, 3)."""
         s = np.clip(q[:, 2], 0.0, self.total)
-        panel = np.clip(np.searchsorted(self.panels.start, s, side="right") - 1, 0, len(self.panels.start) - 1)
-        start, end = self.panels.start[panel], self.panels.end[panel]
-        held = self.panels.at(panel, (2 * q[:, 2] - start - end) / (end - start))
+        held = self.panels.held(s)
         inside = np.clip(q[:, :2], *self.region.box)  # what rounding brings out is asked where the figure ends
         x, y = np.where(np.abs(q[:, :2] - inside) < ROUNDING * np.ptp(self.region.box), inside, q[:, :2]).T
         known = {"x": x, "y": y, "z": np.zeros(len(q)), "t": s / self.total, "u": held[:, 12], "s": s}
@@ -233,11 +231,3 @@ def halved(middle, half, bends):
         half[cut, axis] /= 2
         middle[cut, axis] += np.where(second[cut], 1, -1) * half[cut, axis]
     return middle, half
-
-
-def solved(matrices, vectors):
-    """What linear maps (..., 3, 3) take to vectors (..., 3), or nearly where they are singular: (..., 3)."""
-    size = np.abs(matrices).max(axis=(-2, -1), keepdims=True)
-    flat = np.abs(np.linalg.det(matrices / np.where(size > 0, size, 1.0))) < SINGULAR
-    matrices = np.where(flat[..., None, None], matrices + SINGULAR * size * np.eye(3) + 1e-300 * np.eye(3), matrices)
-    return (np.linalg.inv(matrices) @ vectors[..., None])[..., 0]

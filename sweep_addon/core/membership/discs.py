@@ -33,8 +33,6 @@ class DiscsBody(BallsBody):
     With an open end it is a sheet: the circles alone, what is left of the ball at a round end, the disc at a flat one.
     """
 
-    overlaps = True
-
     def __init__(self, shape):
         super().__init__(shape)
         self.shape = shape

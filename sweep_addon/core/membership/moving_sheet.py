@@ -16,10 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .golden import least_between
 from .labels import IN, ON, OUT, TOUCHED
 from .moving_solid import CHUNK, SAME, SHORTEST, MovingSolid
 from .panels import at_both
-from .sections import least_between
 from .sides import Seen
 
 ROUNDS = 40  # of halving, where a way crosses the sheet

@@ -15,10 +15,11 @@ import numpy as np
 
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
-from .changes import BEYOND, corners
+from .boxes import corners
+from .changes import BEYOND
+from .golden import least_between
 from .labels import IN, ON, OUT, decided
 from .panels import NODES, derivative, panels, powers
-from .sections import least_between
 from .ways import PARTS, apart
 
 CHUNK = 1 << 14  # points that fit into a processor's cache
@@ -201,9 +202,7 @@ class MovingSolid:
 
     def seen(self, places, s):
         """Places about the middle, (n, 3), as seen by the rigid motion when it has come so far: (n, 3)."""
-        panel = np.clip(np.searchsorted(self.panels.start, s, side="right") - 1, 0, len(self.panels.start) - 1)
-        start, end = self.panels.start[panel], self.panels.end[panel]
-        held = self.panels.at(panel, np.clip((2 * s - start - end) / (end - start), -1.0, 1.0))
+        held = self.panels.held(s)
         return np.einsum("nij,nj->ni", held[:, :9].reshape(-1, 3, 3), places) + held[:, 9:]
 
     def from_solid(self, places, s, tolerance):

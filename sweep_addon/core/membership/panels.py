@@ -40,6 +40,12 @@ class Panels:
         """The channels at places x (n,) of panels (n,): (n, channels)."""
         return np.einsum("ncj,nj->nc", self.series[panel], powers(x))
 
+    def held(self, s):
+        """The channels at parameters (n,) of the motion, at its ends beyond them: (n, channels)."""
+        panel = np.clip(np.searchsorted(self.start, s, side="right") - 1, 0, len(self.start) - 1)
+        start, end = self.start[panel], self.end[panel]
+        return self.at(panel, np.clip((2 * s - start - end) / (end - start), -1.0, 1.0))
+
     def parameter(self, panel, x):
         """The parameter of the motion at places of panels: (n,)."""
         start, end = self.start[panel], self.end[panel]

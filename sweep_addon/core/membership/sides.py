@@ -10,9 +10,9 @@ from ..distance import PseudoNormals, Tree, nearest
 from ..distance.triangles import INTERIOR, VERTEX
 from ..meshes.facets import facets
 from ..vectors import dot, norms, unit
-from .changes import LEAST, solved
-
-APART = 0.5  # of the size: what is farther from the box is as far from the sheet, or farther
+from .boxes import APART, from_box
+from .changes import ASIDE
+from .linear import LEAST, solved
 
 
 class Seen(NamedTuple):
@@ -33,7 +33,7 @@ class Sided:
         Whose faces look the same way wherever they meet; vertices at one place count as one.
     """
 
-    is_sheet, overlaps = True, False
+    overlaps = False
 
     def __init__(self, mesh):
         triangles = facets(mesh)[0]
@@ -48,13 +48,9 @@ class Sided:
         self.box = np.stack((vertices.min(axis=0), vertices.max(axis=0)))
         self.size = float(norms(self.box[1] - self.box[0]))
 
-    def distance(self, points):
-        """How far points (n, 3) are from the sheet: (n,)."""
-        return np.abs(self.seen(points).depth)
-
     def seen(self, points):
         """The sheet as points (n, 3) see it; from far away its box."""
-        depth = norms(np.maximum(np.maximum(self.box[0] - points, points - self.box[1]), 0.0))
+        depth = from_box(points, *self.box)
         face, part, foot = np.full(len(points), -1), np.zeros(len(points), dtype=int), points.copy()
         near = np.flatnonzero(depth <= APART * self.size)
         found = nearest(self.tree, points[near])
@@ -76,7 +72,7 @@ class Sided:
         Of a face that is its plane, of an edge its line.
         """
         found = from_parts(self.tree.corners[seen.face], seen.part, points - seen.foot, maps)
-        steep = norms(solved(maps.swapaxes(1, 2), self.normals.parts[seen.face, 0]))
+        steep = norms(solved(maps.swapaxes(1, 2), self.normals.parts[seen.face, 0], ASIDE))
         return np.where(seen.part == INTERIOR, np.abs(seen.depth) / np.maximum(steep, LEAST), found)
 
     def between(self, one, other):

@@ -12,6 +12,7 @@ Tilove: Set membership classification, IEEE Trans. Computers C-29(10), 1980, nei
 
 import numpy as np
 
+from .boxes import corners
 from .labels import IN, OUT, joined, negated
 
 
@@ -81,10 +82,8 @@ class PlacedMember:
         self.inverse = np.linalg.inv(placed.axes)
         stretches = np.linalg.svd(placed.axes, compute_uv=False)
         self.longest, self.shortest = float(stretches[0]), float(stretches[-1])
-        low, high = solid.box
-        corners = np.stack(np.meshgrid(*np.stack((low, high)).T, indexing="ij"), axis=-1).reshape(-1, 3)
-        corners = corners @ placed.axes.T + placed.origin
-        self.box = np.stack((corners.min(axis=0), corners.max(axis=0)))
+        reached = corners(solid.box) @ placed.axes.T + placed.origin
+        self.box = np.stack((reached.min(axis=0), reached.max(axis=0)))
 
     def back(self, points):
         """Points as the solid has them."""
