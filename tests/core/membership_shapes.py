@@ -7,7 +7,7 @@ from math import pi
 
 import sweep_addon as sw
 from sweep_addon.core.csg.meshes import closed_mesh
-from sweep_addon.core.membership.bodies import MeshBody
+from sweep_addon.core.membership.sets.bodies import MeshBody
 
 CHORD = 4e-3  # metres
 FINE = sw.sampling.Tolerance(5e-4)

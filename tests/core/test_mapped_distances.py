@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from sweep_addon import contours
-from sweep_addon.core.membership.figures import mapped
-from sweep_addon.core.membership.loops import Loops
-from sweep_addon.core.membership.regions import Level
-from sweep_addon.core.membership.smooth import Superdisc
-from sweep_addon.core.membership.strands import Strands
-from sweep_addon.core.membership.swathes import Swathe
+from sweep_addon.core.membership.plane.figures import mapped
+from sweep_addon.core.membership.plane.loops import Loops
+from sweep_addon.core.membership.plane.regions import Level
+from sweep_addon.core.membership.plane.smooth import Superdisc
+from sweep_addon.core.membership.plane.strands import Strands
+from sweep_addon.core.membership.plane.swathes import Swathe
 
 MAPS = {
     "as it is": ((1, 0), (0, 1)),

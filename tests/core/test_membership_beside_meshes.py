@@ -11,7 +11,7 @@ from membership_shapes import APART, CHORD, SHAPES, body
 
 import sweep_addon as sw
 from sweep_addon.core.csg.meshes import closed_mesh
-from sweep_addon.core.membership.bodies import MeshBody
+from sweep_addon.core.membership.sets.bodies import MeshBody
 from sweep_addon.presets import PRESETS
 
 pytest.importorskip("manifold3d", reason="solids of shapes that meet themselves are asked of manifold3d")

@@ -10,7 +10,7 @@ import pytest
 
 import sweep_addon as sw
 from sweep_addon.core.membership import blocks, members
-from sweep_addon.core.membership.moving_plane import MovingPlane
+from sweep_addon.core.membership.sets.moving_plane import MovingPlane
 
 HELIX = sw.GeneralizedCylinder(sw.contours.Circle(0.2), sw.trajectories.Helix(1.0, 0.5, 2.0))
 RING = sw.RotationalSweep(sw.contours.Outline([[(0.2, -0.5), (0.9, -0.1), (0.5, 0.5)]]))

@@ -13,7 +13,7 @@ import pytest
 from line_arc_outlines import inside_by_rays, random_outline
 
 import sweep_addon as sw
-from sweep_addon.core.membership.regions import region
+from sweep_addon.core.membership.plane.regions import region
 
 contours = sw.contours
 WASHER = contours.Outline([[(0.5, 0), (-0.5, 0)], [(0.2, 0), (-0.2, 0)]], [[1, 1], [1, 1]])

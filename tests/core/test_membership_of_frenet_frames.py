@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
-from sweep_addon.core.membership.bodies import MeshBody
 from sweep_addon.core.membership.members import member
+from sweep_addon.core.membership.sets.bodies import MeshBody
 
 KNOT = sw.trajectories.TorusKnot(2, 3, 0.5, 0.25)
 WEDGE = sw.contours.Outline([[(-0.05, -0.05), (0.25, 0), (-0.05, 0.05)]])  # of which half a turn makes another one

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
-from sweep_addon.core.membership.bodies import MeshBody
+from sweep_addon.core.membership.sets.bodies import MeshBody
 
 UP = sw.trajectories.Line()
 SQUARE = sw.solids.Triangles([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
-from sweep_addon.core.membership.smooth import Superdisc
+from sweep_addon.core.membership.plane.smooth import Superdisc
 
 solids = sw.solids
 HALF = 0.15  # of the drilled block's height

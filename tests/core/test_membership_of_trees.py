@@ -13,7 +13,7 @@ import pytest
 from membership_shapes import CHORD, SHAPES, body, closed
 
 import sweep_addon as sw
-from sweep_addon.core.membership.bodies import MeshBody
+from sweep_addon.core.membership.sets.bodies import MeshBody
 
 pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
 pytestmark = pytest.mark.thorough

@@ -9,11 +9,11 @@ from ..declared.parameters import require
 from ..declared.wording import titled
 from ..shapes.operand import Operand
 from .classify import RELATIVE, rows_of_three
-from .deformed import CHUNK as PAIRS
-from .deformed import DeformedBody
-from .hash import portions
 from .members import member
-from .moving_plane import SAME, MovingPlane
+from .motion.hash import portions
+from .sets.deformed import CHUNK as PAIRS
+from .sets.deformed import DeformedBody
+from .sets.moving_plane import SAME, MovingPlane
 
 CHUNK = 1 << 20  # pairs of points and panels at a time
 ALIKE = 1e-6  # of the figure, and of the way: images of one point that are nearer are one

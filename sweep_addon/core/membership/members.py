@@ -22,24 +22,25 @@ from ..shapes.pd_curve_sweep import PDCurveSweep
 from ..shapes.rotational_sweep import RotationalSweep
 from ..shapes.translational_sweep import TranslationalSweep
 from ..variation.motion import UNDEFORMED, UNSCALED, Motion
-from . import flat, ways
-from .balls import BallsBody
-from .bodies import BallBody, MeshBody, OffsetBody
-from .changes import Scaling
-from .deformation import Deformation
-from .deformed import DeformedBody
-from .deforming import Deforming
-from .discs import DiscsBody
-from .moving_plane import MovingPlane
-from .moving_rim import MovingRim
-from .moving_sheet import MovingSheet
-from .moving_solid import MovingSolid
-from .prisms import Prism
-from .regions import region
-from .sheet import SheetBody
-from .sides import Sided
-from .strands import Strands
-from .trees import PlacedMember, TreeMember
+from .motion import ways
+from .motion.changes import Scaling
+from .motion.deformation import Deformation
+from .motion.deforming import Deforming
+from .plane.regions import region
+from .plane.strands import Strands
+from .sets import flat
+from .sets.balls import BallsBody
+from .sets.bodies import BallBody, MeshBody, OffsetBody
+from .sets.deformed import DeformedBody
+from .sets.discs import DiscsBody
+from .sets.moving_plane import MovingPlane
+from .sets.moving_rim import MovingRim
+from .sets.moving_sheet import MovingSheet
+from .sets.moving_solid import MovingSolid
+from .sets.prisms import Prism
+from .sets.sheet import SheetBody
+from .sets.sides import Sided
+from .sets.trees import PlacedMember, TreeMember
 
 
 @lru_cache(maxsize=64)

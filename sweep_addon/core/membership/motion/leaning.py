@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Planes that lean towards the mitres of straight legs, as rings of the mesh do where a law changes the contour.
+
+On the inner side of a corner a plane across its leg is cut off by the mitre. Where the contour stays as it is that
+makes no difference; else it is what the leaning planes sweep that is continuous there: `..mitres`.
+"""
+
+import numpy as np
+
+from ...rings.mitres import fans, legs
+from ...shapes.generalized_cylinder import across, placed
+from ...trajectories import Polyline
+from ...trajectories.legs import Cut
+from ...vectors import cross, unit
+from .way import Carried
+
+
+def leans(along):
+    """Whether planes are to lean: on legs with mitres, where laws change the contour, or a bevel stands for a mitre."""
+    path = along.trajectory
+    mitred = isinstance(path, Polyline) and not path.rounded and len(path.corners())
+    return isinstance(path, Cut) or bool(mitred and not along.is_constant)
+
+
+class Leaning:
+    """How contours stand at the stations of straight legs.
+
+    Parameters
+    ----------
+    standing : callable
+        From arc lengths to Stations, the scales there, how far the contours are off, and two axes.
+    corners : (k,) float array
+        The arc lengths of corners, and of an open way's ends.
+    reach : float
+        How far the contour gets from its reference point before any scale, in metres.
+    """
+
+    def __init__(self, standing, corners, reach):
+        self.standing, self.corners, self.reach = standing, corners, reach
+
+    def breaks(self):
+        """Arc lengths where planes begin to lean, or cease to."""
+        stations, rings, _ = self.rings(self.corners)
+        (first, last, _), (starts, ends) = legs(stations), fans(stations, rings, self.reach)
+        places = np.concatenate((stations.s[first] + starts[1], stations.s[last] - ends[1]))
+        return places % stations.total
+
+    def rings(self, s):
+        """Stations, the contours' ways off them and their axes before they lean, and the scales in these."""
+        stations, scales, offset, e2, e3 = self.standing(s)
+        x, y = e2 * scales[:, [0]], e3 * scales[:, [1]]
+        return stations, np.stack((across(offset, e2, e3), x, y)), scales
+
+    def carried(self, s):
+        """The planes at rising arc lengths: a `Carried`."""
+        held = np.unique(np.concatenate((s, self.corners)))
+        stations, rings, scales = self.rings(held)
+        middle, x, y = placed(stations, self.reach, *rings)[:, np.searchsorted(held, s)]
+        scales = scales[np.searchsorted(held, s)]
+        x, y = (axis / np.where(scale == 0, 1.0, scale)[:, None] for axis, scale in zip((x, y), scales.T, strict=True))
+        normal = unit(cross(x, y))
+        told = np.linalg.inv(np.stack((x, y, normal), axis=2))
+        return Carried(middle, normal, told[:, 0], told[:, 1], scales)
