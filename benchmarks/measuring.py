@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 
-def medians(actions, repeats):
+def medians(actions, repeats, times=2):
     """The median milliseconds of each action: done after the others, and done again.
 
     Parameters
@@ -18,12 +18,14 @@ def medians(actions, repeats):
         Each takes a number that is never the same, so that it can do something new.
     repeats : int
         Rounds that count; one before them does not.
+    times : int
+        How often an action is done in its turn.
 
     Returns
     -------
     after, again : dict of float
-        The first time of a turn also meets what the action before it left in caches and in memory; the second is what
-        a slider does that is being dragged.
+        The first time of a turn also meets what the action before it left in caches and in memory; the last, as a rule
+        the second, is what a slider does that is being dragged.
 
     The actions take turns, so that whatever else the machine is doing falls on all of them alike. What they hold is
     frozen: else Python would search the million lists of one peer for garbage in the turn of another.
@@ -33,9 +35,10 @@ def medians(actions, repeats):
     after, again = ({name: [] for name in actions} for _ in range(2))
     for number in range(repeats + 1):
         for name, action in actions.items():
-            after[name].append(timed(action, 2 * number))
-            again[name].append(timed(action, 2 * number + 1))
-    return tuple({name: statistics.median(times[1:]) for name, times in taken.items()} for taken in (after, again))
+            turn = [timed(action, times * number + time) for time in range(times)]
+            after[name].append(turn[0])
+            again[name].append(turn[-1])
+    return tuple({name: statistics.median(found[1:]) for name, found in taken.items()} for taken in (after, again))
 
 
 def timed(action, number):
