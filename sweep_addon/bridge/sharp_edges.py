@@ -4,9 +4,10 @@
 
 from math import radians
 
-import bpy
+from .node_groups import group, has_group
 
 NAME = "Sharp Edges of Sweep-CSG"
+KINDS = ("GeometryNodeInputMeshEdgeAngle", "FunctionNodeCompare", "GeometryNodeSetShadeSmooth")
 WIDEST = radians(30)  # of a turn that is drawn smooth, as Blender's own Shade Auto Smooth has it
 
 
@@ -16,7 +17,8 @@ def draw(ob):
         return
     active = ob.modifiers.active  # which says what step is picked
     modifier = ob.modifiers.new(NAME, "NODES")
-    modifier.node_group, modifier.use_pin_to_last, modifier.show_expanded = nodes(), True, False
+    modifier.node_group, modifier.use_pin_to_last = group(NAME, KINDS, linked), True
+    modifier.show_expanded = False
     ob.modifiers.active = active
 
 
@@ -28,26 +30,14 @@ def undraw(ob):
 
 def is_drawer(modifier):
     """Whether a modifier is this one."""
-    return modifier.type == "NODES" and modifier.node_group is not None and modifier.node_group.name.startswith(NAME)
+    return has_group(modifier, NAME)
 
 
-def nodes():
-    """The nodes: edges with a larger turn between their faces are not shaded smooth."""
-    made = next((g for g in bpy.data.node_groups if g.name.startswith(NAME) and not g.library), None)
-    if made:
-        return made
-    made = bpy.data.node_groups.new(NAME, "GeometryNodeTree")
-    made.is_modifier = True
-    for direction in ("INPUT", "OUTPUT"):
-        made.interface.new_socket("Geometry", in_out=direction, socket_type="NodeSocketGeometry")
-    kinds = ("NodeGroupInput", "GeometryNodeInputMeshEdgeAngle", "FunctionNodeCompare", "GeometryNodeSetShadeSmooth")
-    start, turn, compare, shade, end = (made.nodes.new(kind) for kind in (*kinds, "NodeGroupOutput"))
+def linked(start, turn, compare, shade, end):
+    """Edges with a larger turn between their faces are not shaded smooth."""
     compare.data_type, compare.operation, shade.domain = "FLOAT", "GREATER_THAN", "EDGE"
     compare.inputs["B"].default_value, shade.inputs["Shade Smooth"].default_value = WIDEST, False
-    made.links.new(turn.outputs["Unsigned Angle"], compare.inputs["A"])
-    made.links.new(compare.outputs["Result"], shade.inputs["Selection"])
-    for node, other in ((start, shade), (shade, end)):
-        made.links.new(node.outputs["Geometry"], other.inputs["Geometry"])
-    for number, node in enumerate((start, turn, compare, shade, end)):
-        node.location.x = 200 * number
-    return made
+    yield turn.outputs["Unsigned Angle"], compare.inputs["A"]
+    yield compare.outputs["Result"], shade.inputs["Selection"]
+    yield start.outputs["Geometry"], shade.inputs["Geometry"]
+    yield shade.outputs["Geometry"], end.inputs["Geometry"]

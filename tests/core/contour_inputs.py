@@ -39,3 +39,11 @@ def star(rng, points, inner=0.5, outer=1.5):
 def shoelace(loop):
     x, y = np.asarray(loop, dtype=float).T
     return (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+
+
+def superellipse(half, exponent, angle):
+    """Places of a superellipse seen under angles (n,), and unit vectors away from it, by its equation: two (n, 2)."""
+    direction = np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    places = half * direction / (np.abs(direction) ** exponent).sum(axis=1, keepdims=True) ** (1 / exponent)
+    slope = np.sign(direction) * np.abs(direction) ** (exponent - 1) / half
+    return places, slope / np.linalg.norm(slope, axis=1, keepdims=True)

@@ -10,6 +10,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from contour_inputs import superellipse
 from line_arc_outlines import inside_by_rays, random_outline
 
 import sweep_addon as sw
@@ -140,11 +141,7 @@ def test_a_true_curve_sweeps_what_is_before_it_and_behind_it(contour, exponent, 
     """Places with normals that lead ahead end on the last curve, others on the first, and so do those beside them."""
     way = 0.5 * np.array(direction[:2]) / np.hypot(*direction[:2])
     angle = np.random.default_rng(3).uniform(0, 2 * pi, 2000)
-    c, s = np.cos(angle), np.sin(angle)
-    reach = (np.abs(c) ** exponent + np.abs(s) ** exponent) ** (-1 / exponent)
-    places = np.stack((0.6 * reach * c, 0.3 * reach * s), axis=1)
-    slope = np.stack([np.sign(k) * np.abs(k) ** (exponent - 1) / half for k, half in ((c, 0.6), (s, 0.3))], axis=1)
-    normal = slope / np.linalg.norm(slope, axis=1, keepdims=True)
+    places, normal = superellipse((0.6, 0.3), exponent, angle)
     ends = places + np.where((normal @ way > 0)[:, None], way, 0.0)
     shape = sweep(contour, 0.5, direction)
     for away, tolerance in ((0.0, None), (1e-3, 1e-3 + 1e-10), (0.05, 0.05 + 1e-10)):

@@ -9,6 +9,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from contour_inputs import superellipse
 
 import sweep_addon as sw
 from sweep_addon.core.membership.plane.smooth import Superdisc
@@ -195,11 +196,7 @@ def test_inside_a_superellipse_the_nearest_of_all_places_counts():
 def test_beside_a_prism_of_a_true_curve_on_is_as_far_as_the_tolerance(exponent, far):
     """Also where that is large beside how the curve bends: along its normals, from either side."""
     angle = np.random.default_rng(6).uniform(0, 2 * pi, 2000)
-    c, s = np.cos(angle), np.sin(angle)
-    reach = (np.abs(c) ** exponent + np.abs(s) ** exponent) ** (-1 / exponent)
-    places = np.stack((0.6 * reach * c, 0.3 * reach * s), axis=1)
-    slope = np.stack([np.sign(k) * np.abs(k) ** (exponent - 1) / half for k, half in ((c, 0.6), (s, 0.3))], axis=1)
-    normal = slope / np.linalg.norm(slope, axis=1, keepdims=True)
+    places, normal = superellipse((0.6, 0.3), exponent, angle)
     prism = sw.TranslationalSweep(sw.contours.Superellipse(1.2, 0.6, exponent, 2), 1.0)
     beside = np.column_stack((places + far * normal, np.full(2000, 0.5)))
     assert (sw.classify(prism, beside, abs(far) + 1e-12) == 0).all()
