@@ -375,6 +375,23 @@ def test_generalized_cylinder_takes_no_mixed_contour():
         GeneralizedCylinder(Mixed())
 
 
+@pytest.mark.parametrize(
+    ("given", "parts", "area"),
+    [
+        (dict(curves=[[(0, 0), (3, 0)], [(0, 0), (0, 4)]]), (0, 1, 0, 0), 7 * 2.0),  # sheets: length times height
+        (dict(points=[(0, 0), (1, 0)]), (0, 0, 2, 0), 0.0),
+        (dict(loops=[box((0, 0), (3, 4))]), (1, 0, 0, 0), 2 * 12.0 + 14 * 2.0),  # a prism
+    ],
+    ids=["curves", "points", "loops"],
+)
+def test_parts_that_are_not_given_are_none(given, parts, area):
+    """In Python and in a job: nobody who draws one curve expects the default's area beside it."""
+    mesh = TranslationalSweep(Mixed(**given), 2.0).mesh()
+    assert mesh.dimensions().parts == parts and mesh.area() == pytest.approx(area)
+    table = {name: [np.asarray(part).tolist() for part in given[name]] for name in given}
+    assert TranslationalSweep({"kind": "mixed", **table}).contour == Mixed(**given)
+
+
 @pytest.mark.parametrize("name", LECTURE)
 def test_job_holds_all_of_it(name):
     shape = preset(name)

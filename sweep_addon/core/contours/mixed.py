@@ -18,13 +18,16 @@ class Mixed:
     """Areas, curves and points of one plane, whose sweep is of mixed dimension
 
     What an odd number of loops lies around is an area. Whatever meets is joined there: a curve that ends on the edge of
-    an area is a dangling edge. What of a curve lies in an area is the area's.
+    an area is a dangling edge. What of a curve lies in an area is the area's. Where loops, curves or points are given,
+    those that are not are none.
 
     Examples
     --------
     >>> areas, lines = Mixed().sections()
     >>> areas.area, lines.points.tolist()
     (1.0, [[0.5, 0.0], [1.0, 0.0]])
+    >>> Mixed(curves=[[(0, 0), (1, 0)]])
+    Mixed(loops=(), curves=([[0.0, 0.0], [1.0, 0.0]],), points=[])
     """
 
     loops: tuple[Array, ...] = parameter(
@@ -32,6 +35,11 @@ class Mixed:
     )
     curves: tuple[Array, ...] = parameter((TAIL,), "Points of each curve", columns=2, unit="length", most=MOST_POINTS)
     points: Array = parameter((), "Single points", columns=2, unit="length", most=MOST_POINTS)
+
+    @staticmethod
+    def completed(given):
+        """What is given, and nothing for the other parts: the default's are no part of what somebody draws."""
+        return {"loops": (), "curves": (), "points": (), **given} if given else given
 
     def check(self):
         """Refuse a set without any part, loops of less than three points and curves of less than two."""

@@ -164,13 +164,18 @@ def declared(cls):
     """Make a frozen dataclass that coerces and checks its fields once, when a value is made, and documents them."""
 
     def settle(self, *values, **named):
-        fill(self, bound(cls, values, named))
+        fill(self, completed(cls, bound(cls, values, named)))
         if hasattr(cls, "check"):
             self.check()
 
     cls = unchanging(by_value(cls), settle)
     cls.__doc__ = Documented(cls.__doc__)
     return cls
+
+
+def completed(cls, given):
+    """What is given for some parameters, with what a class says that this means for others."""
+    return cls.completed(given) if hasattr(cls, "completed") else given
 
 
 def fill(value, given):
@@ -376,7 +381,7 @@ def filled(kind, declared, table):
     known = {q.name: q.default for q in declared}
     for key in (key for key in table if key not in known):
         raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", named(key))
-    return kind(**known | table)
+    return kind(**known | completed(kind, table))
 
 
 def pick(names, value):
