@@ -12,7 +12,7 @@ from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grids.chart import Texture
 from sweep_addon.core.rings.corners import Round
 from sweep_addon.core.rings.limits import Flat, Open, Plane
-from sweep_addon.core.rings.trimming import ONCE
+from sweep_addon.core.rings.cutting import ONCE
 from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
 from sweep_addon.core.stations.directions import Arrows, Cubic, Guide, Tilt
 from sweep_addon.core.stations.sampling import Count, Tolerance

@@ -51,6 +51,7 @@ class Leaning(Chart):
             heights = (heights - low) / (high - low)
         columns, bands = self.grid.strips[0], self.rings - 1  # an open outline ends with a column that no face follows
         sides = uv[: len(columns) * bands * 4].reshape(len(columns), bands, 4, 2)
+        heights = heights.astype(dtype)
         here, ahead = heights[columns], heights[self.grid.following[columns]]
         for own, which in standing(self.leaning, self.rings):
             first, last, _ = which.indices(self.rings)

@@ -10,23 +10,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..declared.parameters import ShapeError, at, require
+from ..declared.parameters import ShapeError
 from ..grids.drawn import affine
 from ..meshes.mesh import require_few
-from ..self_intersection.folds import roots
 from ..stations.bending import Rings
 from ..stations.spans import Fan, spans
-from ..vectors import cross, norms, unit
+from ..vectors import cross, unit
+from .cutting import followed
 from .limits import Plane
 
-FARTHEST = 100.0  # lengths and reaches beyond the end, to which a solid may go on
 ROOM = 0.5  # of the range of the cuts: how much farther in the first ring stands that does not lean
 CLOSEST = 1e-3  # of the mean step: a ring nearer to another would make slivers
 SHORTEST = 1e-9  # of the axis, between two planes
-ONCE = "must cut the line of every point of the contour once"
-NEARBY = 16  # heights, among which a cut is looked for at first: it is near an end of the axis
-HALVINGS = 12  # of an edge at most: what is missed falls to a quarter with each
-FLAT = 1e-9  # the sine of the angle between a plane and the axis beyond its end: it is never cut there
 
 
 def trimmed(limits, bending, section, stations, tolerance):
@@ -81,90 +76,6 @@ def trimmed(limits, bending, section, stations, tolerance):
     )
     u, s = joined(own[0, 3], axis.u), joined(middles, stations.s)
     return Rings(section, u, s, axes, outlines, leaning, heights, lines)
-
-
-def followed(limits, whole, section, tolerance):
-    """A section whose edges are halved until straight ones follow the cuts, and where the lines of its points end.
-
-    Returns
-    -------
-    section : Section
-    ends : (2, m) float array
-        Heights along the axis in metres; below 0 and above the total where the solid goes on straight.
-    """
-    planes = [(side, limit) for side, limit in enumerate(limits) if isinstance(limit, Plane)]
-    for halvings in range(HALVINGS, -1, -1):
-        ahead = section.following.copy()
-        ahead[section.gaps] = section.gaps
-        points = np.concatenate((section.points, (section.points + section.points[ahead]) / 2))
-        found = np.tile([[0.0], [whole.bending.total]], len(points))
-        intervals = []
-        for side, plane in planes:
-            with at(("start", "end")[side]):
-                intervals.append(interval(plane, whole, points, side))
-        heights, places = crossings([plane for _, plane in planes], whole, points, np.concatenate(intervals, axis=1))
-        found[[side for side, _ in planes]] = heights
-        corners, middles = np.split(places, 2, axis=1)
-        missed = norms(middles - (corners + corners[:, ahead]) / 2).max(axis=0)
-        if missed.max() <= tolerance or not halvings:
-            return section, found[:, : len(ahead)]
-        section = section.divided(missed > tolerance)
-
-
-def interval(plane, whole, points, side):
-    """Where lines of points (m, 2) first change their side of a plane, coming from the axis's start or end: (4, m).
-
-    Between two heights, of which each line is so far above the plane: two rows, and two.
-    """
-    looked, most = NEARBY, len(whole.looked_at[0])
-    while True:
-        z, above = looked_at(plane, whole, points, side, looked)
-        higher = above >= 0
-        change = higher[:, 1:] != higher[:, :-1]
-        missed = ~change.any(axis=1)
-        if looked >= most or not missed.any():
-            break
-        looked *= 4
-    if missed.any():
-        raise ShapeError(f"{ONCE}, got that of point {np.argmax(missed) + 1} not cut")
-    first, every = change.argmax(axis=1), np.arange(len(points))
-    again = change[:, : first.max() + 1].sum(axis=1) > 1
-    again |= higher[:, 0] != higher[0, 0]
-    if again.any():
-        raise ShapeError(f"{ONCE}, got that of point {np.argmax(again) + 1} cut again before all others are")
-    return np.stack((z[first], z[first + 1], above[every, first], above[every, first + 1]))
-
-
-def looked_at(plane, whole, points, side, most):
-    """Heights from beyond an end of the axis on, (k,), and how far each line is above the plane, (m, k).
-
-    The first height is beyond all cuts that there are beyond the end; not more than so many others follow.
-    """
-    z, axes = (part[:: -1 if side else 1][:most] for part in whole.looked_at)
-    levels = (axes.reshape(-1, 3) @ plane.across).reshape(-1, 3)
-    levels[:, 0] += plane.heights(np.zeros(3))
-    above = affine(points) @ levels.T
-    outward = float(whole.outward[side] @ plane.across)
-    if abs(outward) > FLAT:
-        total = whole.bending.total
-        beyond, most = float((-above[:, 0] / outward).max()), FARTHEST * (total + float(np.abs(points).max()))
-        require(beyond <= most, f"must cut within {most:.6g} m of the trajectory's end", beyond)
-        far = max(beyond, 0.0) + total
-        z = np.concatenate(([z[0] + (far if side else -far)], z))
-        above = np.concatenate((above[:, :1] + far * outward, above), axis=1)
-    return z, above
-
-
-def crossings(planes, whole, points, intervals):
-    """Where lines of points (m, 2) cross planes, in intervals (4, p m): heights (p, m) and places (p, m, 3)."""
-    low, high, at_low, at_high = intervals
-    points, middles = np.tile(points, (len(planes), 1)), (low + high) / 2
-    which = np.repeat(np.arange(len(planes)), len(points) // len(planes))
-    across = np.array([plane.across for plane in planes])
-    level = np.array([plane.heights(np.zeros(3)) for plane in planes])[which]
-    along = whole.along(across, which, points, middles)
-    found = roots(lambda z: along(z) + level, low, high, at_low, at_high)
-    return found.reshape(len(planes), -1), whole.line(points, middles)(found).reshape(len(planes), -1, 3)
 
 
 def ranged(stations, starts, ends, planes):

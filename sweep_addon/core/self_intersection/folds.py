@@ -55,7 +55,11 @@ def intervals(folding, grid):
 
 
 def roots(function, low, high, at_low, at_high):
-    """Where a function changes its sign between pairs of places, by the Illinois method: (n,)."""
+    """Where a function changes its sign between pairs of places, (n,).
+
+    False position with the factor of Anderson and Björck (BIT 13, 1973): an end that stays counts less, by what the
+    last step has gained, so that both ends close in. Each fourth step halves what is left if the others have not.
+    """
     width = 1e-11 * (high - low)
     for step in range(STEPS if len(low) else 0):
         span = at_high - at_low
@@ -63,8 +67,10 @@ def roots(function, low, high, at_low, at_high):
         if step % 4 == 3:
             middle = (low + high) / 2
         found = function(middle)
-        kept = (found >= 0) == (at_high >= 0)  # the same end moves again: the other one's value counts half
-        low, at_low = np.where(kept, low, high), np.where(kept, at_low / 2, at_high)
+        kept = (found >= 0) == (at_high >= 0)  # the same end moves again
+        less = 1 - found / np.where(at_high, at_high, 1.0)
+        less = np.where(less > 0, less, 0.5)
+        low, at_low = np.where(kept, low, high), np.where(kept, at_low * less, at_high)
         high, at_high = middle, found
         if (np.abs(found) < SMALL).all() or (np.abs(high - low) <= width).all():
             break

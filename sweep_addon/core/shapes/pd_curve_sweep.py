@@ -141,7 +141,8 @@ class PDCurveSweep(Operand):
 
         columns = vertices.reshape(len(section.points), -1, 3)
         for own, which in standing(rings.leaning, len(rings.s)):
-            columns[:, which] = rings.lines[:, :3, own].swapaxes(1, 2)
+            for axis in range(3):  # so NumPy goes along the rings, and not three numbers at a time
+                columns[:, which, axis] = rings.lines[:, axis, own]
         return Mesh(vertices, grid.topology(), Leaning(*chart, rings.leaning, rings.heights, rings.lines[:, 3]), told)
 
     def self_intersections(self):

@@ -15,7 +15,6 @@ import numpy as np
 from ..declared.frozen import individual
 from ..grids.drawn import affine
 from ..trajectories.arc_length import arc_length, subdivided
-from ..vectors import dot
 from .chebyshev import fitting
 from .sampling import SHORTEST_STEP, distinct
 from .transport import NODES, ORDER
@@ -46,13 +45,19 @@ class Fan(NamedTuple):
 
     def with_middles(self):
         """The fan with three more lines, each amid all of these."""
-        base = np.append(self.base, np.full(3, self.base.mean())) if self.base.ndim else self.base
-        return self._replace(base=base, spread=np.append(self.spread, np.full(3, self.spread.mean())))
+        base = widened(self.base) if self.base.ndim else self.base
+        return Fan(base, widened(self.spread), self.share)
 
     def powers(self, radius, terms):
         """Whose products are the powers of (heights - base) / radius, of one base: (m, terms) and (terms, n)."""
         most = np.abs(self.share).max() or 1.0
-        return powers(self.spread * (most / radius), terms).T, powers(self.share / most, terms)
+        both = powers(np.concatenate((self.spread * (most / radius), self.share / most)), terms)
+        return both[:, : len(self.spread)].T, both[:, len(self.spread) :]
+
+
+def widened(values):
+    """Values (m,), and three times their mean."""
+    return np.concatenate((values, np.full(3, values.mean())))
 
 
 @individual
@@ -95,22 +100,13 @@ class Spans:
         span = np.searchsorted(self.ends, z)
         if not self.exact[span].all():
             return lambda z: self.bending.bend(np.column_stack((points, z)))
-        lines = np.einsum("mw,mwcj->jmc", affine(points), self.coefficients[span, :, :3])
-        return self.summed(span, lines)
-
-    def along(self, directions, which, points, z):
-        """How far these lines are along directions (p, 3), of which each has one, (m,): a function to (m,)."""
-        span = np.searchsorted(self.ends, z)
-        if not self.exact[span].all():
-            line = self.line(points, z)
-            return lambda z: dot(line(z), directions[which])
-        levels = np.einsum("pc,swcj->psjw", directions, self.coefficients[:, :, :3])
-        return self.summed(span, np.einsum("mw,mjw->jm", affine(points), levels[which, span]))
+        carried = self.coefficients[span, :, :3].reshape(len(z), 3, -1)
+        return self.summed(span, (affine(points)[:, None] @ carried).reshape(len(z), 3, -1))
 
     def summed(self, span, terms):
-        """A function of heights in spans, (m,), from its terms, the lowest first: (ORDER, m) or (ORDER, m, 3)."""
+        """A function of heights in spans, (m,), from its terms, the lowest first: (m, ORDER) or (m, 3, ORDER)."""
         middle, half = self.middle[span], self.half[span]
-        return lambda z: np.einsum("jm,jm...->m...", powers((z - middle) / half, ORDER), terms)
+        return lambda z: np.einsum("jm,m...j->m...", powers((z - middle) / half, ORDER), terms)
 
     def lines(self, weights, z, fan=None, found=None):
         """The lines of points at heights, (m, n): places and the parameter u, (m, 4, n).
@@ -124,8 +120,9 @@ class Spans:
             return found
         low, high = z.min(axis=0), z.max(axis=0)
         first, last = np.searchsorted(self.ends, (low.min(), high.max()))
-        own = np.full(z.shape, last - first >= FEW)
-        for span in range(first, first if own.any() else last + 1):
+        many = last - first >= FEW
+        own = np.full(z.shape, many)
+        for span in range(first, first if many else last + 1):
             touched = np.flatnonzero((low <= ends[span + 1]) & (high > ends[span]))
             if not len(touched):
                 continue
@@ -135,7 +132,9 @@ class Spans:
                 own[:, rings] |= inside
                 continue
             reach = max(low[rings].min(), ends[span]), min(high[rings].max(), ends[span + 1])
-            if fan and self.seen_from(fan.base, span, *reach):
+            if span in (0, len(self.exact) - 1):
+                values = self.straight(weights, z[:, rings], span)
+            elif fan and self.seen_from(fan.base, span, *reach):
                 values = self.fanned(weights, fan._replace(share=fan.share[rings]), span, *reach)
             else:
                 values = self.apart(weights, z[:, rings], span, *reach)
@@ -150,9 +149,13 @@ class Spans:
         """Whether the polynomials of a span lose nothing where they are told of heights from a base on."""
         if base.ndim:
             return False
-        straight = span in (0, len(self.exact) - 1)
         farthest = abs(base - self.middle[span]) + max(end - base, base - start)
-        return straight or farthest <= ABOUT * self.half[span]
+        return farthest <= ABOUT * self.half[span]
+
+    def straight(self, weights, z, span):
+        """The lines of points where the axis goes on straight, before its start or after its end: (m, 4, n)."""
+        start, rise = weights @ self.coefficients[span, :, :, :2].transpose(2, 0, 1)
+        return start[..., None] + rise[..., None] * (z - self.middle[span])[:, None]
 
     def fanned(self, weights, fan, span, start, end):
         """The lines of the points of a fan in a span, of which they reach from a height to another: (m, 4, n)."""

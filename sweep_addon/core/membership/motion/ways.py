@@ -185,7 +185,7 @@ def of_pd_curve(shape):
 
 def cut(limits, bending, section, total):
     """How planes limit a way, and how far it goes on beyond its ends."""
-    from ...rings.trimming import followed
+    from ...rings.cutting import followed
 
     _, cuts = followed(limits, spans(bending), section, CUT * total)
     planes, beyond = [], [0.0, 0.0]
