@@ -33,19 +33,19 @@ def test_figures_of_the_book(entry):
         assert len(corners) == told.get("distinct_points") or told["lattice_points"] == told["segments"] + 1
 
 
-def random_word(draw, letters, count):
-    """A word of so many modules with brackets in pairs, as (name, parameters)."""
+def random_word(draw, letters, count, told=0.5):
+    """A word of so many modules with brackets in pairs, as (name, parameters); how often these are told."""
     modules, depth = [], 0
     for letter in draw.choice(list(letters), count):
         if letter == "]" and not depth:
             continue
         depth += (letter == "[") - (letter == "]")
         parameters = ()
-        if letter in "+-&^\\/" and draw.random() < 0.5:
+        if letter in "+-&^\\/" and draw.random() < told:
             parameters = (round(draw.uniform(-180, 180), 2),)
-        elif letter in "FfG" and draw.random() < 0.5:
+        elif letter in "FfG" and draw.random() < told:
             parameters = (round(draw.uniform(0.1, 2), 2),)
-        elif letter in "!'" and draw.random() < 0.5:
+        elif letter in "!'" and draw.random() < told:
             parameters = (round(draw.uniform(0.1, 2), 2),)
         modules.append((str(letter), parameters))
     return modules + [("]", ())] * depth
@@ -140,6 +140,28 @@ def test_long_paths_are_drawn_as_by_the_reference():
         modules = random_word(draw, letters, 20_000)
         figure, segments, _ = compared(modules, False)
         assert errors(figure, segments).max() < 1e-12
+
+
+@pytest.mark.parametrize("longest", [1, 2, 5, 6, 40])
+@pytest.mark.parametrize("letters", ["F[]", "FfF[]$"])
+def test_runs_of_turns_by_one_angle_are_turned_as_by_the_reference(letters, longest, draws):
+    draw = np.random.default_rng(longest)
+    for _ in range(draws // 4):
+        modules = []
+        for module in random_word(draw, letters, draw.integers(0, 40), told=0):
+            turns = draw.choice([*"+-&^\\/|"], draw.integers(0, longest + 1))
+            modules += [*((str(turn), ()) for turn in turns), module]
+        figure, segments, _ = compared(modules, True, angle=float(draw.choice([90.0, 22.5, 137.5])))
+        loss = np.array([segment["loss"] for segment in segments])
+        assert (errors(figure, segments) < 1e-12 / loss).all()
+
+
+def test_many_different_runs_of_turns_are_turned_as_by_the_reference():
+    draw = np.random.default_rng(9)
+    runs = draw.choice([*"+-&^\\/|"], (3000, 5))
+    modules = [(str(name), ()) for name in np.concatenate((np.full((len(runs), 1), "F"), runs), axis=1).ravel()]
+    figure, segments, _ = compared(modules, False, angle=22.5)
+    assert errors(figure, segments).max() < 1e-12
 
 
 def test_a_level_turtle_has_its_left_in_the_horizontal_plane():

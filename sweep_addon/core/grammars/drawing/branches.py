@@ -86,7 +86,10 @@ class Branches:
         """
         if not len(self.brackets):
             return np.array([0, np.count_nonzero(chosen)])
-        counted = Running(chosen)
+        return self.first_of(Running(chosen))
+
+    def first_of(self, counted):
+        """The same, of the running sums of that array."""
         found = np.zeros(len(self.brackets) + 2, dtype=np.intp)
         found[1:-1], found[-1] = counted.at(self.brackets), counted.total
         return found
@@ -146,6 +149,23 @@ class Branches:
             back = np.zeros(len(self.order) + 1, dtype=found.dtype)
             back[self.closing[1:] + 1] = own[1:]
             found -= np.cumsum(back, dtype=found.dtype).take(sums.stretch)
+        return found
+
+    def passed(self, first):
+        """(n,) int array: how many items are before each on its way from the root.
+
+        Parameters
+        ----------
+        first : (b + 2,) int array
+            As `first` gives.
+        """
+        found = np.arange(first[-1])
+        if len(self.brackets):
+            count = np.diff(first)
+            own = np.add.reduceat(count.take(self.order), self.starts)
+            back = np.zeros(len(count) + 1, dtype=np.intp)
+            back[self.closing[1:] + 1] = own[1:]
+            found -= np.repeat(np.cumsum(back[:-1]), count)
         return found
 
     def previous(self, first):

@@ -17,7 +17,8 @@ from .running import Running
 TURNS = {"+": (2, 1), "-": (2, -1), "&": (1, 1), "^": (1, -1), "\\": (0, -1), "/": (0, 1)}  # axis and sense
 ABOUT = "|"
 LEVELS = ("$", "@v")
-OPENS, CLOSES, MOVE, LEVEL, SPIN = range(1, 6)  # what modules do; those up to a move are firm
+OPENS, CLOSES, MOVE, LEVEL, SPIN = range(1, 6)  # what modules do; those up to a move are firm, those behind are turns
+SPINS = (*TURNS, ABOUT)  # the first of these is a SPIN, each other one more
 MOST = 100  # branches within branches that are left out: fewer than a byte counts
 FEWEST = 16  # of so many firm modules in a row at least one pair of brackets must be left out, or it does not pay
 
@@ -41,7 +42,7 @@ class Limbs:
     def __init__(self, walk):
         self.walk = walk
         kinds = np.zeros(max(len(walk.word.tables.symbols), 1), dtype=np.uint8)
-        turning = ((SPIN, (*TURNS, ABOUT)), (LEVEL, LEVELS)) if walk.spatial else ()
+        turning = [(LEVEL, LEVELS), *((SPIN + n, (name,)) for n, name in enumerate(SPINS))] if walk.spatial else []
         for kind, names in (*turning, (OPENS, OPEN), (CLOSES, CLOSE)):
             kinds[walk.numbers(*names)] = kind
         kinds[walk.moving] = MOVE

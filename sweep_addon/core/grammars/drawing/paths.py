@@ -121,21 +121,21 @@ def root(x, y):
     return found
 
 
-def along_paths(relative, parent, depth, start, asked, levels=None, bends=None, tropism=None):
+def along_paths(rotations, which, parent, depth, start, levels=None, bends=None, tropism=None):
     """The orientation at tokens, of the rotations on their way from the root.
 
     Parameters
     ----------
-    relative : (2, n) complex array
-        The rotation of each token in the axes that the token before it leaves.
+    rotations : (2, k) complex array
+    which : (n,) int array or None
+        Which of these is the rotation of each token, in the axes that the token before it leaves; None if each has its
+        own.
     parent : (n,) int array
         The token before, or -1.
     depth : (n,) int array
         How many tokens are before it on its way.
     start : pair of complex
         The orientation at the root.
-    asked : (m,) int array
-        Of which tokens it is asked for.
     levels, bends : (n,) bool array, optional
         Which of them roll level behind their rotation, and which bend what they leave.
     tropism : Tropism, optional
@@ -143,33 +143,37 @@ def along_paths(relative, parent, depth, start, asked, levels=None, bends=None, 
 
     Returns
     -------
-    (2, m) complex array
+    (2, n) complex array
+        Orientations, of which there may be others too.
+    (n,) int array or None
+        Which of them each token has, if not its own.
     """
-    start = np.array(start)[:, None]
     if not len(parent):
-        return relative
+        return rotations[:, :0], None
+    start = np.array(start)[:, None]
     waves = int(depth.max()) + 1
-    if levels is None and bends is None and waves == len(parent):
-        return taken(chain(relative, start), asked)
     if levels is None and bends is None and len(parent) < FEW * waves:
-        return taken(by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves)))), asked)
+        relative = rotations if which is None else taken(rotations, which)
+        if waves == len(parent):
+            return chain(relative, start), None
+        return by_blocks(relative, parent, depth, start, int(np.ceil(np.sqrt(waves)))), None
     order, stops = np.argsort(narrow(depth), kind="stable"), np.cumsum(np.bincount(depth)).tolist()
     rank = np.empty(len(parent) + 1, dtype=np.intp)
     rank[order], rank[-1] = np.arange(len(parent)), len(parent)
+    which = order if which is None else which.take(order)
     above = rank.take(parent.take(order))  # so that each wave stands in a row
     levels, bends = (None if which is None else which.take(order) for which in (levels, bends))
     left = np.empty((2, len(parent) + 1), dtype=complex)
     found = left if bends is None else np.empty((2, len(parent)), dtype=complex)
     left[:, -1:] = start if tropism is None else multiplied(tropism.back, start)
     for part in pieces(stops):
-        turned = multiplied(taken(left, above[part]), taken(relative, order[part]))
+        turned = multiplied(taken(left, above[part]), taken(rotations, which[part]))
         if levels is not None:
             turned = changed(turned, levels[part], lambda pair: level(pair, tropism))
         found[:, part] = turned
         if bends is not None:
             left[:, part] = changed(turned, bends[part], tropism.bent)
-    found = taken(found, rank.take(asked))
-    return found if tropism is None else multiplied(tropism.axes, found)
+    return (found if tropism is None else multiplied(tropism.axes, found)), rank
 
 
 def pieces(stops):

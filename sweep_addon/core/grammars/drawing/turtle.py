@@ -185,12 +185,12 @@ class Walk:
                 start, end = plane.path(length)
             found = plane.quaternions
         else:
-            pair = Tokens(self).orientations()
-            x, yz = turns.heading(*pair)
+            pair, which = Tokens(self).orientations()
+            x, yz = (way.take(which) for way in turns.heading(*pair))
             start, end = self.points(x * length, yz * length)
 
             def found():
-                return pair
+                return turns.taken(pair, which)
 
         if self.cylinders:
             start, end = self.cylinders.shaped(self, start, end, found())

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Turns in a row as one rotation.
+
+Where each turns by the angle of the system there are few different runs, and each is multiplied once. Else each has the
+product of its own turns.
+"""
+
+import numpy as np
+
+from . import paths, turns
+from .limbs import ABOUT, SPIN, SPINS, TURNS
+from .scaling import ANGLE
+
+BITS = 3  # that say which turn it is: 1 more than its place among the spins, 0 is none
+MOST = 1 << 12  # different runs
+
+
+def rotations(walk, kind, begins, token):
+    """The rotations of the tokens of a walk.
+
+    Parameters
+    ----------
+    walk : Walk
+    kind : (k,) uint8 array
+        Of the modules of its limbs.
+    begins : (t,) int array
+        Where among these tokens begin, each of which has the turns that follow each other there.
+    token : callable
+        Gives the tokens of places.
+
+    Returns
+    -------
+    (2, r) complex array
+        Rotations.
+    (t,) int array or None
+        Which of them each token has, if not its own.
+    """
+    found = None if walk.turns_differ else different(kind, begins, walk.system.angle)
+    if found:
+        return found
+    spin = np.flatnonzero(kind >= SPIN)
+    spins = of_modules(walk, walk.limbs.places.take(spin))
+    return paths.products_of_runs(spins, token(spin), len(begins)), None
+
+
+def different(kind, begins, angle):
+    """The rotations of different runs, and which of them each token has; None where they are many or long.
+
+    A run with one more turn is the number of the run before, and that of the turn as its last digit.
+
+    >>> from sweep_addon.core.grammars.drawing.limbs import CLOSES, MOVE, OPENS
+    >>> kinds = {"[": OPENS, "]": CLOSES, "F": MOVE, "+": SPIN, "-": SPIN + 1, "&": SPIN + 2}
+    >>> kind = np.array([kinds[letter] for letter in "F+-F&[F+-]"], dtype=np.uint8)
+    >>> rotations, which = different(kind, begins=np.array([0, 1, 4, 6, 7]), angle=90.0)
+    >>> which.tolist(), rotations[:, 8].round(9).tolist()
+    ([0, 8, 3, 0, 8], [(1+0j), 0j])
+    """
+    turn_of = np.zeros(len(kind) + 1, dtype=np.uint8)  # and none behind the last
+    np.maximum(kind, SPIN - 1, out=turn_of[:-1])
+    turn_of[:-1] -= SPIN - 1
+    single = known = one_turn(angle)
+    run = turn_of.take(begins).astype(np.intp)
+    token = np.flatnonzero(run)
+    place = begins.take(token)
+    for _ in range(paths.LONG):
+        place += 1
+        turn = turn_of.take(place)
+        longer = np.flatnonzero(turn)
+        if not len(longer):
+            return known, run
+        token, place, count = token.take(longer), place.take(longer), known.shape[1]
+        number = (run.take(token) << BITS) + turn.take(longer)
+        which = np.zeros(count << BITS, dtype=np.intp)
+        which[number] = 1
+        numbers = np.flatnonzero(which)
+        if count + len(numbers) > MOST:
+            return None
+        which[numbers] = np.arange(count, count + len(numbers))
+        run[token] = which.take(number)
+        more = paths.multiplied(paths.taken(known, numbers >> BITS), paths.taken(single, numbers % (1 << BITS)))
+        known = np.concatenate((known, more), axis=1)
+    return None
+
+
+def one_turn(angle):
+    """(2, 8) complex array: the rotations of no turn, and of each by an angle in degrees."""
+    found = np.zeros((2, 1 << BITS), dtype=complex)
+    found[0, 0] = 1
+    for number, name in enumerate(SPINS, 1):
+        found[:, number] = rotation(name, angle)
+    return found
+
+
+def rotation(name, angle):
+    """The rotation of a turn by an angle in degrees."""
+    if name == ABOUT:
+        return turns.rotation(2, 180.0)
+    axis, sense = TURNS[name]
+    return turns.rotation(axis, sense * angle)
+
+
+def of_modules(walk, places):
+    """(2, n) complex array: the rotations of modules, looked up where the angle is always the same."""
+    symbols, system = walk.symbols[places], walk.system
+    tables = np.empty((2, len(walk.word.tables.symbols)), dtype=complex)
+    for name in SPINS:
+        for number in walk.numbers(name):
+            tables[:, number] = rotation(name, system.angle)
+    found = paths.taken(tables, symbols)
+    scaled = bool(walk.numbers(ANGLE))
+    for name in TURNS:
+        for number, count in walk.named.get(name, ()):
+            at = np.flatnonzero(symbols == number) if count or scaled else ()
+            if len(at):
+                angle = np.broadcast_to(walk.angles(places[at]), at.shape)
+                angle = angle[0] if (angle == angle[0]).all() else angle
+                paths.put(found, at, rotation(name, angle))
+    return found
