@@ -9,7 +9,7 @@ from ..sweep_addon.core.later import later
 from .on_tree import OnTree
 
 conversion, copies = later("bridge.conversion"), later("bridge.copies")
-operands, solvers = later("bridge.operands"), later("bridge.solvers")
+operands, solvers, trees = later("bridge.operands"), later("bridge.solvers"), later("bridge.trees")
 
 
 class OBJECT_OT_sweep_tree_choose_solver(OnTree, Operator):
@@ -20,10 +20,11 @@ class OBJECT_OT_sweep_tree_choose_solver(OnTree, Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context):
+        united = list(map(solvers.unite, trees.operands(context.active_object)))
         parts = solvers.parts(context.active_object)
         ask = (solvers.make_solid, solvers.choose, solvers.lost_faces)
         told = [of_part(part) for of_part in ask for part in parts]
-        for sentence in dict.fromkeys(filter(None, told)):
+        for sentence in dict.fromkeys(filter(None, united + told)):
             self.report({"WARNING"}, sentence)
         return {"FINISHED"}
 

@@ -28,6 +28,8 @@ from .core.variation import laws
 
 __all__ = [
     "CanalSurface",
+    "Curves",
+    "Edges",
     "GeneralSweep",
     "GeneralizedCylinder",
     "GrammarError",
@@ -47,6 +49,7 @@ __all__ = [
     "Translation",
     "TranslationalSweep",
     "Tree",
+    "Tubes",
     "classify",
     "contours",
     "corners",
@@ -69,6 +72,8 @@ if find_spec("bpy"):  # else `import *` would ask for what plain Python does not
     __all__ += ["from_object", "to_object"]
 
 LATER = {
+    "Curves": ".core.shapes.plant",
+    "Edges": ".core.shapes.plant",
     "GrammarError": ".core.grammars",
     "LSystem": ".core.grammars",
     "Mesh": ".core.meshes.mesh",
@@ -80,6 +85,7 @@ LATER = {
     "SweptSolid": ".core.csg",
     "Translation": ".core.csg",
     "Tree": ".core.csg",
+    "Tubes": ".core.shapes.plant",
     "classify": ".core.membership",
     "inverse_sweep": ".core.membership",
     "dump": ".core.declared.forms",

@@ -139,7 +139,9 @@ def place_of(operand):
 
 
 def solid(shape):
-    """A shape that is to be an operand: one that meets itself is made a solid first."""
+    """A shape that is to be an operand: one that meets itself is made a solid first, tubes of plants are united."""
+    if hasattr(shape, "united"):
+        return replace(shape, output=replace(shape.output, united=True))
     if hasattr(type(shape), "__dataclass_fields__") and "make_solid" in type(shape).__dataclass_fields__:
         return replace(shape, make_solid=True) if shape.self_intersections() else shape
     return shape

@@ -26,7 +26,8 @@ def combine(result, operands, operation):
     Returns
     -------
     tuple of str
-        What a person should know: why the solver is the slower one, what meets itself, and what cuts nothing.
+        What a person should know: why the solver is the slower one, which plants became solids, what meets itself, and
+        what cuts nothing.
 
     Raises
     ------
@@ -37,13 +38,14 @@ def combine(result, operands, operation):
         require_apart(result, operand)
         require_new(result, operand, BLENDERS[operation])
     bpy.context.view_layer.update()  # of where they stand
+    united = [solvers.unite(operand) for operand in operands]
     parts = [part for ob in (result, *operands) for part in solvers.parts(ob)]
     told = [told_of(part) for told_of in (solvers.make_solid, solvers.lost_faces) for part in parts]
     for operand in operands:
         adopt(result, operand)
         add_step(result, operation, operand)
     sharp_edges.draw(result)
-    return tuple(filter(None, (solvers.choose(result), *told)))
+    return tuple(filter(None, (solvers.choose(result), *united, *told)))
 
 
 def require_apart(result, operand):

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..core.declared.parameters import ShapeError
 from ..core.later import later
+from ..core.meshes import booleans
 from ..core.self_intersection import PREFIX
 from . import objects, trees
 
@@ -42,6 +43,15 @@ def choose(ob):
     return why
 
 
+def lose_faces(mesh):
+    """Have no step take a mesh that is about to lose all its faces by the manifold solver: it would end Blender 4.5."""
+    for ob in bpy.data.objects:
+        for modifier in trees.booleans(ob):
+            operand = trees.operand_of(modifier)
+            if operand and operand.data == mesh and modifier.solver == FAST:
+                modifier.solver = SURE
+
+
 def why_not_fast(ob):
     """Why the manifold solver cannot be used for a tree, as a sentence; nothing where it can."""
     if not has_fast():
@@ -65,7 +75,7 @@ def why_exact(part, mirrored, closed):
     closed : callable
         `is_closed`, or `seems_closed` where there is no time.
     """
-    if not closed(mesh_of(part)):
+    if not (is_united(part) or closed(mesh_of(part))):
         return f"{part.name!r} is not closed and manifold"
     if is_plant(part):
         return f"{part.name!r} overlaps itself where it branches, and the manifold solver would count that twice"
@@ -190,9 +200,35 @@ def make_solid(ob):
     return f"{ob.name!r} meets itself: where it does, what is left of it is undefined."
 
 
+def unite(operand):
+    """Make the tubes of a plant that is an operand one solid, which the faster solver takes, leaves or not.
+
+    Returns
+    -------
+    str
+        What a person should know; nothing for any other, and where there is no manifold3d to unite them.
+    """
+    if not is_plant(operand) or trees.is_tree(operand) or not operand.data.is_editable:
+        return ""
+    group = operand.data.sweep.plant
+    if group.output != "TUBES" or not booleans.is_there():
+        return ""
+    without = "" if seems_closed(operand.data) else ", without its leaves"
+    group.output_tubes_united = True
+    return f"{operand.name!r} is united now, as Output says in the sidebar{without}."
+
+
 def is_plant(ob):
     """Whether an object is a plant, whose tubes begin in others."""
-    return objects.is_sweep(ob) and objects.is_grown(ob.data)
+    return objects.is_sweep(ob) and objects.is_grown(ob.data) and not is_united(ob)
+
+
+def is_united(ob):
+    """Whether an object is a plant whose tubes are one solid, or will be as soon as that is made."""
+    if not (objects.is_sweep(ob) and objects.is_grown(ob.data)):
+        return False
+    group = ob.data.sweep.plant
+    return group.output == "TUBES" and group.output_tubes_united
 
 
 def overlaps(ob):

@@ -165,10 +165,10 @@ def steps_of_objects(ob):
 
 
 def leaf(ob, depsgraph, above, known):
-    """What an object's own mesh is: its shape, or its triangles; those of an object without steps as modifiers leave
-    them; of a plant the solid of its tubes."""
+    """What an object's own mesh is: its shape, or its triangles, those of an object without steps as modifiers leave
+    them."""
     if objects.is_sweep(ob) and not objects.is_swept(ob) and (is_tree(ob) or models.is_as_shown(ob)):
-        return objects.shapes(ob.data)[0].united()
+        return objects.shapes(ob.data)[0]
     if not objects.is_swept(ob):
         bare = is_tree(ob) and not ob.data.is_editmode
         return of_mesh(ob) if bare else models.triangles(ob, depsgraph, scaled=False)

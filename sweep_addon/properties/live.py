@@ -11,7 +11,7 @@ from ..core.declared.plain import VERSION
 from ..core.later import later
 from ..core.shapes.generalized_cylinder import GeneralizedCylinder
 
-texts, reading = later("bridge.texts"), later("properties.reading")
+solvers, texts, reading = later("bridge.solvers"), later("bridge.texts"), later("properties.reading")
 joined = later("core.meshes.joining", "joined")
 digest = later("core.declared.digest", "digest")
 
@@ -72,11 +72,13 @@ def put(mesh, made, wanted, room=None, solid=""):
     Its vertices may have been drawn where there was room for them.
     """
     sweep = mesh.sweep
-    known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
-    sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known, room)
     if objects.is_grown(mesh):
         for _ in range(len(mesh.materials), int(made.topology.material.max(initial=0)) + 1):
             mesh.materials.append(None)  # a slot of each colour, for people to fill
+        if len(made.offsets) == 1:
+            solvers.lose_faces(mesh)
+    known = ("", "") if sweep.edited else (sweep.topology, sweep.texture)
+    sweep.topology, sweep.texture, sweep.mark = meshes.write(mesh, made, *known, room)
     sweep.made, sweep.rings, sweep.version = wanted, made.rings, VERSION
     for name, value in (("error", ""), ("told", "\n".join(made.told)), ("edited", False), ("solid", solid)):
         set_if_other(sweep, name, value)

@@ -85,6 +85,72 @@ def test_models_hold_what_a_tree_shows(scene, job, suffix):
         assert len(data) > len(alone.with_suffix(suffix).read_bytes()) + 100
 
 
+PLANT = """kind = "tree"
+[base]
+kind = "block"
+width = 10.0
+depth = 10.0
+height = 10.0
+[[steps]]
+operation = "difference"
+[steps.operand]
+kind = "plant"
+system = { file = "bar.l" }
+upright = "upwards"
+[steps.operand.constants]
+long = 1.5
+"""
+BAR = "#define long 1\naxiom: [!(0.2) F(2*long)] f(0.7) !(0.1) F(3)"  # the thin one begins within the thick one
+TUBES = 2 * np.sqrt(2) * (3 * 0.1**2 + 0.7 * 0.05**2)  # m3 of both octagonal tubes, at 1.5
+
+
+@pytest.fixture
+def drilled(tmp_path):
+    pytest.importorskip("manifold3d")
+    (tmp_path / "bar.l").write_text(BAR)
+    path = tmp_path / "drilled.toml"
+    path.write_text(PLANT)
+    return path
+
+
+def test_a_job_may_have_a_plant_as_an_operand(drilled, capsys):
+    assert sw.load(drilled).mesh().volume() == pytest.approx(1000 - TUBES, rel=1e-9)
+    assert main(["check", str(drilled)]) == 0
+    assert "vertices" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "said"),
+    [
+        ("long = 1.5", "lang = 1.5", "steps.1.operand.constants.lang: is no constant"),
+        ('upright = "upwards"', 'output = "edges"', "steps.1.operand.output: must be tubes for a solid, got 'edges'"),
+        ('upright = "upwards"', "generations = -1", "steps.1.operand.generations: must be at least 0, got -1"),
+        ('{ file = "bar.l" }', '{ file = "gone.l" }', "steps.1.operand.system.file: must be a file that exists"),
+        ('{ file = "bar.l" }', '"axiom: F["', "steps.1.operand.system: line 1, column 9: expected ']'"),
+    ],
+)
+def test_check_points_at_what_is_wrong_of_a_plant_in_a_tree(drilled, right, wrong, said, capsys):
+    drilled.write_text(PLANT.replace(right, wrong))
+    line = next(number for number, text in enumerate(PLANT.split("\n"), 1) if right in text)
+    assert main(["check", str(drilled)]) == 2
+    assert capsys.readouterr().err.startswith(f"{drilled}:{line}: {said}")
+
+
+def test_a_plant_in_a_tree_is_built_live(scene, drilled):
+    import bpy
+    from scenes import shown
+
+    output = drilled.with_suffix(".blend")
+    assert main(["build", str(drilled), "--output", str(output)]) == 0
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    result = bpy.data.objects["drilled"]
+    assert shown(result).volume() == pytest.approx(1000 - TUBES, rel=1e-5)
+    (operand,) = result.children
+    operand.data.sweep.plant.constants["long"] = 1.0
+    operand.data.update_tag()
+    assert shown(result).volume() == pytest.approx(1000 - 2 * np.sqrt(2) * (0.02 + 1.7 * 0.05**2), rel=1e-5)
+
+
 def test_build_tells_of_a_tree_of_which_nothing_is_left(scene, tmp_path, capsys):
     path = tmp_path / "nothing.toml"
     path.write_text(sw.dump(sw.solids.Block() - sw.solids.Block(9.0, 9.0, 9.0)))

@@ -298,7 +298,7 @@ def test_the_operator_takes_text_and_constants_and_refuses_as_all_others_do(scen
     assert sw.from_object(ob) == sw.Plant(TREE, constants={"l": 1.5}, angle=90, step=1, width=0.1)
     for wrong, said in (
         ({"system": "axiom: F["}, "system: line 1, column 9"),
-        ({"constants": '{"m": 1}'}, "constants: must be one of"),
+        ({"constants": '{"m": 1}'}, "constants.m: is no constant of the text, which has"),
         ({"constants": "[["}, "constants: must be a table of numbers"),
     ):
         with pytest.raises(RuntimeError, match=said):

@@ -29,9 +29,39 @@ def test_points_are_classified_against_a_plant():
     assert sw.classify(plant, np.array([(0, 0, 1.0), (0, 0, 3.0), (0.09, 0, 3.0)])).tolist() == [1, 1, -1]
 
 
-def test_a_plant_without_tubes_is_refused_in_a_sentence():
-    with pytest.raises(sw.ShapeError, match="must have tubes to be an operand"):
-        BLOCK - sw.Plant(BAR, output="edges")
+@pytest.mark.parametrize("output", ["edges", "curves"])
+def test_segments_that_are_no_tubes_are_refused_before_anything_is_made(output):
+    with pytest.raises(sw.ShapeError, match=f"^operand.output: must be tubes for a solid, got '{output}'$"):
+        BLOCK - sw.Plant(BAR, output=output)
+    with pytest.raises(sw.ShapeError, match="^base.output: must be tubes"):
+        sw.Tree(sw.Plant(BAR, output=output))
+
+
+def test_a_plant_of_polygons_alone_is_refused_when_it_is_made():
+    with pytest.raises(sw.ShapeError, match="^steps.1.operand.output: must have tubes to be a solid"):
+        (BLOCK - sw.Plant(f"axiom:{LEAF}")).mesh()
+
+
+def test_a_tree_keeps_its_plant_as_it_was_told():
+    plant = sw.Plant(BAR, upright=True)
+    tree = BLOCK - plant.moved(z=1.0)
+    assert tree.steps[0].operand.solid == plant and str(tree) == "Block - Plant"
+    assert sw.load(sw.dump(tree)) == tree
+    assert tree.mesh().volume() == pytest.approx(1000 - VOLUME, rel=1e-9)
+    assert sw.classify(tree, np.array([(0, 0, 1.05), (0, 0, 0.95)])).tolist() == [-1, 1]
+
+
+def test_tubes_that_are_to_be_united_are_one_closed_mesh_that_keeps_its_colours():
+    plant = sw.Plant(f"{BAR} ' F(0.5) {LEAF}", upright=True, output={"kind": "tubes", "united": True})
+    mesh = plant.mesh()
+    coloured = 0.5 * 2 * np.sqrt(2) * 0.05**2
+    assert mesh.volume() == pytest.approx(VOLUME + coloured, rel=1e-9)
+    assert len(mesh.boundary_edges()) == len(mesh.non_manifold_edges()) == 0 and mesh.euler_characteristic() == 2
+    heights = mesh.vertices[mesh.corners.reshape(-1, 3), 2]
+    assert set(mesh.topology.material) == {0, 1}
+    assert heights[mesh.topology.material == 1].min() == pytest.approx(3.7)
+    assert heights[mesh.topology.material == 0].max() == pytest.approx(3.7)
+    assert plant.united().mesh().volume() == pytest.approx(mesh.volume(), rel=1e-12)
 
 
 def test_what_is_no_set_of_points_is_no_operand():

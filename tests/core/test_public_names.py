@@ -5,13 +5,17 @@
 import subprocess
 import sys
 from importlib.util import find_spec
+from operator import attrgetter
 from pathlib import Path
 from typing import get_args
 
 import pytest
 
 import sweep_addon as sw
+from sweep_addon.core.csg import NODES
+from sweep_addon.core.declared.forms import public_name
 from sweep_addon.core.declared.parameters import parameters
+from sweep_addon.core.shapes.kinds import SHAPES
 
 UNIONS = {
     "contours": "Contour",
@@ -39,6 +43,20 @@ def test_a_namespace_offers_its_kinds_and_nothing_else(name):
 def test_every_choice_of_a_shape_is_in_a_namespace(shape):
     offered = {id(getattr(getattr(sw, name), union)) for name, union in UNIONS.items()}
     assert all(id(p.type) in offered for p in parameters(shape) if p.kinds)
+
+
+def test_every_kind_that_a_copy_as_python_may_name_is_public():
+    """But for what has no parameters, which is written as its name, and items of lists, which are written as tuples."""
+    todo, items, seen = [*SHAPES, *NODES], set(), set()
+    while todo:
+        kind = todo.pop()
+        if kind not in seen:
+            seen.add(kind)
+            items |= {p.item for p in parameters(kind) if p.item}
+            todo += [each for p in parameters(kind) for each in (*p.kinds, *filter(None, [p.item]))]
+    named = [kind for kind in seen - items if parameters(kind)]
+    assert len(named) > 50
+    assert [kind for kind in named if attrgetter(public_name(kind).removeprefix("sw."))(sw) is not kind] == []
 
 
 def test_the_library_offers_its_public_names_alone():

@@ -6,13 +6,13 @@ from functools import cache
 from typing import get_args
 
 from ..declared.parameters import spelled
-from ..shapes.kinds import SWEPT
+from ..shapes.kinds import SHAPES
 from ..solids import Solid
 
 
 @cache
 def known():
-    """Every kind of operand by its name: sweeps, solids, and the nodes of trees."""
+    """Every kind of operand by its name: shapes, solids, and the nodes of trees."""
     from . import NODES
 
-    return {spelled(kind): kind for kind in (*SWEPT, *get_args(Solid), *NODES)}
+    return {spelled(kind): kind for kind in (*SHAPES, *get_args(Solid), *NODES)}

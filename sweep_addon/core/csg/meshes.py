@@ -12,6 +12,7 @@ from ..meshes.booleans import body_of, combined, mesh_of
 from ..meshes.facets import facets
 from ..meshes.polyhedron import polyhedron
 from ..meshes.runs import backward
+from ..shapes.operand import standing
 from ..shapes.translational_sweep import TranslationalSweep
 from .placed import Placed
 from .tree import Tree
@@ -62,6 +63,7 @@ def closed_mesh(operand):
     """The mesh of an operand, closed; a sweep that meets itself is made a solid first: solvers keep the overlap."""
     if isinstance(operand, Placed):
         return operand.carried(closed_mesh(operand.solid))
+    operand = standing(operand)
     mesh = operand.solid() if callable(getattr(operand, "solid", None)) else operand.mesh()
     wrong = len(mesh.non_manifold_edges())
     require(not wrong, "must be closed and manifold", f"{wrong} edges without two faces")

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..declared.parameters import Array, declared, parameter, require
 from ..later import later
-from ..shapes.operand import Operand
+from ..shapes.operand import Operand, standing
 from ..solids import Block
 
 line, shared_hash, shared_equal = (later("core.csg.shared", name) for name in ("line", "hashed", "equal"))
@@ -50,7 +50,7 @@ class Placed(Operand):
 
     def mesh(self, dtype=np.float64):
         """The surface as a `Mesh`, in metres."""
-        return self.carried(self.solid.mesh()).astype(dtype)
+        return self.carried(standing(self.solid).mesh()).astype(dtype)
 
     def carried(self, mesh):
         """A mesh of the solid taken there; mirrored ones are turned over."""

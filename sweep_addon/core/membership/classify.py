@@ -7,7 +7,7 @@ from numbers import Real
 import numpy as np
 
 from ..declared.parameters import require
-from ..shapes.operand import Operand, standing
+from ..shapes.operand import Operand
 from ..vectors import norms
 from .blocks import in_blocks
 from .labels import decided
@@ -55,7 +55,6 @@ def classify(shape, points, tolerance=None, progress=None):
     [1, 0, -1]
     """
     points = rows_of_three(points)
-    shape = standing(shape)
     require(isinstance(shape, Operand), "must be a shape, a solid or a tree", shape, "shape")
     found = member(shape)
     size = float(norms(found.box[1] - found.box[0]))

@@ -19,6 +19,7 @@ from ..shapes.general_sweep import GeneralSweep
 from ..shapes.generalized_cylinder import GeneralizedCylinder
 from ..shapes.offset_surface import OffsetSurface
 from ..shapes.pd_curve_sweep import PDCurveSweep
+from ..shapes.plant import Plant
 from ..shapes.rotational_sweep import RotationalSweep
 from ..shapes.translational_sweep import TranslationalSweep
 from ..variation.motion import UNDEFORMED, UNSCALED, Motion
@@ -197,6 +198,7 @@ KINDS = {
     CanalSurface: canal,
     OffsetSurface: offset,
     GeneralSweep: general,
+    Plant: lambda plant: member(plant.united()),
     solids.Block: lambda block: prism(Rectangle(block.width, block.depth), block.height),
     solids.Cylinder: lambda rod: prism(Circle(rod.radius), rod.height),
     solids.Bracket: bracket,

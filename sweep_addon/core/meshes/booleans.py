@@ -26,6 +26,15 @@ def library():
     return manifold3d
 
 
+def is_there():
+    """Whether there is manifold3d, without which nothing is united."""
+    try:
+        library()
+    except ShapeError:
+        return False
+    return True
+
+
 @cache
 def named():
     """The number by which manifold3d knows that the faces of a body have numbers of ours."""

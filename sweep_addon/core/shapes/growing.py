@@ -8,11 +8,12 @@ from functools import lru_cache
 import numpy as np
 
 from ..declared.grammar_text import Grammar, Values
-from ..declared.parameters import ShapeError, at, require
+from ..declared.parameters import ShapeError, at
 from ..grammars import Budget, GrammarError, LSystem
 from ..grammars.deriving.budget import LateError, sized
 from ..grammars.deriving.growth import bounds, foretold
 from ..grammars.deriving.noting import notes
+from ..grammars.meshing import uniting
 from ..grammars.meshing.chart import Skin
 
 NONE = Values()
@@ -79,7 +80,9 @@ def system(plant):
 
 
 def takes_long(plant):
-    """Whether the word of a plant is too long to be derived while somebody drags a slider."""
+    """Whether a plant takes too long while somebody drags a slider: its word is long, or its tubes are to be united."""
+    if is_united(plant):
+        return True
     sizes, limits = known(plant.system, plant.constants, plant.generations)
     if sizes:
         return QUICK < max(sizes) <= plant.budget
@@ -143,21 +146,13 @@ def mesh(plant, dtype):
     return skinned(shown(plant), plant, dtype)
 
 
+@lru_cache(maxsize=4)
 def united(plant):
     """The solid of the tubes of a plant; `Plant.united` says of what."""
-    from ..meshes import booleans
-    from ..meshes.facets import facets
     from ..solids import Triangles
 
-    made = mesh(plant, np.float64)
-    is_open = np.zeros(len(made.vertices), bool)
-    is_open[made.boundary_edges().ravel()] = True  # of polygons, which share no vertex with a tube
-    triangles, _ = facets(made)
-    tubes = triangles[~is_open[triangles].any(axis=1)]
-    require(len(tubes), "must have tubes to be an operand", "edges and open polygons alone", "output")
-    used, corners = np.unique(tubes, return_inverse=True)
-    parts = booleans.body(made.vertices[used], corners.reshape(-1, 3)).decompose()
-    return Triangles.of(booleans.mesh_of(booleans.united(parts)))
+    plant.require_solid()
+    return Triangles.of(mesh(replace(plant, output=replace(plant.output, united=True)), np.float64))
 
 
 def axes(plant):
@@ -196,7 +191,14 @@ def skinned(figure, plant, dtype):
     sides, apart = getattr(plant.output, "sides", 0), getattr(plant.output, "apart", False)
     with at("output" if sides else "budget"):
         made = figure.mesh(sides, plant.texture, plant.attributes, dtype, within(plant.budget), apart)
+        if is_united(plant):
+            made = uniting.united(made).astype(dtype)
     return replace(made, told=(*made.told, *noted(plant.system, plant.constants)))
+
+
+def is_united(plant):
+    """Whether the tubes of a plant are to be one solid."""
+    return getattr(plant.output, "united", False)
 
 
 @lru_cache(maxsize=16)

@@ -10,20 +10,7 @@ combined = later("core.csg.tree", "combined")
 moved = later("core.csg.placed", "moved")
 
 
-class Combining:
-    """What has the operators of set operations."""
-
-    def __or__(self, other):
-        return combination(self, "union", other)
-
-    def __and__(self, other):
-        return combination(self, "intersection", other)
-
-    def __sub__(self, other):
-        return combination(self, "difference", other)
-
-
-class Operand(Combining):
+class Operand:
     """A set of points that set operations take.
 
     Examples
@@ -34,6 +21,15 @@ class Operand(Combining):
     Block - Ball
     """
 
+    def __or__(self, other):
+        return combination(self, "union", other)
+
+    def __and__(self, other):
+        return combination(self, "intersection", other)
+
+    def __sub__(self, other):
+        return combination(self, "difference", other)
+
     def moved(self, x=0.0, y=0.0, z=0.0):
         """The same somewhere else, by a way along each axis in metres: a `Placed`."""
         return moved(self, (x, y, z))
@@ -42,20 +38,23 @@ class Operand(Combining):
     def coerced(cls, value):
         """An operand from itself, from the table of one, or from its bare name, as the value of a parameter."""
         if isinstance(value, cls):
+            value.require_solid()
             return value
         if isinstance(value, str) and value in known():
             value = {"kind": value}
         if not isinstance(value, dict):
             raise ShapeError(f"must be a shape, a solid or a tree, got {shown(value)}")
-        return from_table(known(), value, parameters)
+        return cls.coerced(from_table(known(), value, parameters))
+
+    def require_solid(self):
+        """Refuse what is known to be no solid before its mesh is made."""
 
 
 def combination(left, operation, right):
     """The tree of a set operation; nothing that Python knows of for what is no set of points."""
-    left, right = standing(left), standing(right)
     return combined(left, operation, right) if isinstance(right, Operand) else NotImplemented
 
 
 def standing(value):
-    """What stands for a value in set operations: the solid of a plant's tubes, and of all others themselves."""
-    return value.united() if isinstance(value, Combining) and not isinstance(value, Operand) else value
+    """What stands for an operand in set operations: the solid of a plant's tubes, and of all others themselves."""
+    return value.united() if hasattr(value, "united") else value

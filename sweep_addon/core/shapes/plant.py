@@ -7,10 +7,10 @@ from enum import Enum
 import numpy as np
 
 from ..declared.grammar_text import Grammar, Values
-from ..declared.parameters import at, coerce, count, declared, parameter, parameters
+from ..declared.parameters import at, coerce, count, declared, parameter, parameters, require, spelled
 from ..grids.texture import Texture
 from ..later import later
-from .operand import Combining
+from .operand import Operand
 
 growing = later("core.shapes.growing")
 
@@ -47,21 +47,37 @@ class Start(Enum):
 
 @declared
 class Tubes:
-    """A closed tube along each axis, mitred where it turns, as thick where a segment begins as that is wide"""
+    """A closed tube along each axis, mitred where it turns, as thick where a segment begins as that is wide
+
+    >>> fork = "axiom: F(1)[+(60)F(1)]F(1)"
+    >>> [Plant(fork, output=Tubes(united=united)).mesh().euler_characteristic() for united in (False, True)]
+    [4, 2]
+    """
 
     sides: int = count(8, "Points around each tube", minimum=3, maximum=256, soft_maximum=32)
+    united: bool = parameter(
+        False, "Make the tubes, which overlap where branches begin, one solid, as for a 3D printer; without leaves"
+    )
 
 
 @declared
 class Edges:
-    """The segments as edges, which meet where branches begin"""
+    """The segments as edges, which meet where branches begin
+
+    >>> len(Plant("axiom: F[+F]F", output=Edges()).mesh().vertices)
+    4
+    """
 
     apart = False
 
 
 @declared
 class Curves:
-    """Each axis as a poly-line of its own, which a modifier makes a curve in Blender, as thick as its tube"""
+    """Each axis as a poly-line of its own, which a modifier makes a curve in Blender, as thick as its tube
+
+    >>> len(Plant("axiom: F[+F]F", output=Curves()).mesh().vertices)
+    5
+    """
 
     apart = True
 
@@ -70,7 +86,7 @@ Output = Tubes | Edges | Curves
 
 
 @declared
-class Plant(Combining):
+class Plant(Operand):
     """What a turtle draws of the word that an L-system derives
 
     A grammar replaces all modules of a word at once, step after step. The last word tells a turtle where to go: its
@@ -155,6 +171,10 @@ class Plant(Combining):
         (0, 9)
         """
         return growing.mesh(self, dtype)
+
+    def require_solid(self):
+        """Refuse segments that are to be edges or curves."""
+        require(isinstance(self.output, Tubes), "must be tubes for a solid", spelled(type(self.output)), "output")
 
     def united(self):
         """The solid of all tubes, which overlap where branches begin: as such a plant is an operand of a tree.

@@ -6,7 +6,8 @@ import re
 from dataclasses import fields
 from math import isfinite, nan
 
-from ...declared.parameters import require
+from ...declared.parameters import ShapeError, require
+from ...declared.wording import named
 from ..deriving.statements import MOST_VARIABLES, assigned, statements
 from ..dialects import OTHERS, placed, translated
 from . import directives
@@ -78,7 +79,9 @@ class Reader:
         self.problems += problems
         self.constants = {constant.name: constant.value for constant in self.told["constants"]}
         unknown = [name for name in self.given if name not in self.constants]
-        require(not unknown or problems, f"must be one of {', '.join(self.constants) or 'none'}", unknown, "constants")
+        if unknown and not problems:
+            known = ", ".join(self.constants) or "none"
+            raise ShapeError(f"is no constant of the text, which has {known}", f"constants.{named(unknown[0])}")
         self.vocabulary = words(self.constants, random=False)
         self.variables = self.assigned()
         for word, passage, _ in self.lines:
