@@ -19,8 +19,9 @@ ABOUT = "|"
 LEVELS = ("$", "@v")
 OPENS, CLOSES, MOVE, LEVEL, SPIN = range(1, 6)  # what modules do; those up to a move are firm, those behind are turns
 SPINS = (*TURNS, ABOUT)  # the first of these is a SPIN, each other one more
-MOST = 100  # branches within branches that are left out: fewer than a byte counts
-FEWEST = 16  # of so many firm modules in a row at least one pair of brackets must be left out, or it does not pay
+ROW = 8  # turns that are looked through at the end of a branch
+FEWEST = 12  # of so many modules in a row at least one must be left out, or it does not pay
+BLOCK = 1 << 15  # modules
 
 
 class Limbs:
@@ -29,66 +30,53 @@ class Limbs:
     Parameters
     ----------
     walk : Walk
-        Turns are left out if it stays in its plane, where they are counted.
 
     Attributes
     ----------
     kind : (k,) uint8 array
         What each of these modules does.
-    places : (k,) int array
-        Where in the word it is.
     """
 
     def __init__(self, walk):
-        self.walk = walk
+        self.walk, self.stayed = walk, []
         kinds = np.zeros(max(len(walk.word.tables.symbols), 1), dtype=np.uint8)
-        turning = [(LEVEL, LEVELS), *((SPIN + n, (name,)) for n, name in enumerate(SPINS))] if walk.spatial else []
-        for kind, names in (*turning, (OPENS, OPEN), (CLOSES, CLOSE)):
+        turns = [(SPIN + number, (name,)) for number, name in enumerate(SPINS)]
+        if walk.spatial:
+            turns.append((LEVEL, LEVELS))
+        for kind, names in (*turns, (OPENS, OPEN), (CLOSES, CLOSE)):
             kinds[walk.numbers(*names)] = kind
         kinds[walk.moving] = MOVE
-        whole = walk.looked_up(kinds)
-        if walk.regions:
-            whole = np.where(walk.regions.closing, 0, whole).astype(np.uint8)
-        self.places = self.every = np.flatnonzero(whole > 0)
-        self.kind = whole.take(self.places)
-        self.within = self.stays = None
-        if walk.branched:
-            self.leave_out(np.flatnonzero(self.kind <= MOVE) if turning else slice(None))
+        self.kind = walk.looked_up(kinds)
+        self.keep(self.kind > 0 if walk.regions is None else (self.kind > 0) & ~walk.regions.closing)
+        while walk.branched:
+            idle = idling(self.kind)
+            if np.count_nonzero(idle) * FEWEST <= len(idle):
+                break
+            self.keep(~idle)
 
-    def leave_out(self, firm):
-        """Leave out bare branches with all that is in them, and what stands before the end of any branch or word."""
-        kind = self.kind[firm]
-        bare = moveless(kind)
-        if not bare.any():
-            return
-        steps = (kind == OPENS).view(np.int8) - (kind == CLOSES).view(np.int8)
-        steps *= bare
-        self.within = np.zeros(len(kind), dtype=bool)
-        self.within[1:] = Running(steps).bytes[:-1]
-        stays = ~bare
-        if not isinstance(firm, slice):
-            stays = np.repeat(~self.within & (kind != CLOSES), np.diff(firm, prepend=-1))
-            stays[firm] = ~bare
-        self.stays = np.flatnonzero(stays)
-        self.places, self.kind = self.every.take(self.stays), self.kind.take(self.stays)
+    def keep(self, which):
+        """Leave out the modules that do not stay; of bytes alone, block by block, so that no place need be stored."""
+        self.stayed.append(which)
+        kind, self.kind, stop = self.kind, np.empty(np.count_nonzero(which), dtype=np.uint8), 0
+        for edge in range(0, len(kind), BLOCK):
+            places = np.flatnonzero(which[edge : edge + BLOCK])
+            start, stop = stop, stop + len(places)
+            kind[edge : edge + BLOCK].take(places, out=self.kind[start:stop], mode="clip")
 
-    def counts(self, table, dtype):
-        """(k,) array: what steps of modules add up to, in the order of the word, without those of bare branches.
+    @cached_property
+    def places(self):
+        """(k,) int array: where in the word these modules are."""
+        found = np.flatnonzero(self.stayed[0])
+        for which in self.stayed[1:]:
+            found = found.take(np.flatnonzero(which))
+        return found
 
-        Parameters
-        ----------
-        table : (s,) int8 array
-            The step of each kind of module.
-        dtype : numpy dtype
-            As uint8 that is modulo 256.
-        """
-        counted = Running(self.walk.looked_up(table))
-        found = counted.bytes.take(self.every) if dtype == np.uint8 else counted.at(self.every)
-        if self.stays is None:
-            return found
-        found[1:] -= found[:-1].copy()
-        found[self.within] = 0
-        return np.cumsum(found, dtype=dtype, out=found).take(self.stays)
+    def counted(self, steps):
+        """Running: what turns add up to in the order of the word, by the step of each name."""
+        found = np.zeros(SPIN + len(SPINS), dtype=np.int8)
+        for name, step in steps.items():
+            found[SPIN + SPINS.index(name)] = step
+        return Running(self.walk.looked_up(found, self.kind))
 
     @cached_property
     def branches(self):
@@ -107,23 +95,31 @@ class Limbs:
         return self.branches.first(self.kind == MOVE)
 
 
-def moveless(kind):
-    """(k,) bool array: which brackets, among these and moves, are of branches without moves; not of all of them.
+def idling(kind):
+    """(k,) bool array: which modules turn no move: turns at the end of a branch, and branches that are nothing else.
 
-    >>> word = "F[F[]][[][[]]]F"
-    >>> kind = np.array([{"[": OPENS, "]": CLOSES}.get(letter, MOVE) for letter in word], dtype=np.uint8)
-    >>> "".join(letter for letter, bare in zip(word, moveless(kind)) if not bare)
-    'F[F]F'
+    Not all of them: of many in a row the last, and no branch in which there are others.
+
+    >>> word = "F[F+[]+][&[+]/-[+[]]]+F-&"
+    >>> kinds = {"[": OPENS, "]": CLOSES, "F": MOVE}
+    >>> kind = np.array([kinds.get(letter, SPIN) for letter in word], dtype=np.uint8)
+    >>> "".join(letter for letter, idle in zip(word, idling(kind)) if not idle)
+    'F[F+][&/-[+]]+F-&'
     """
-    found = np.zeros(len(kind), dtype=bool)
-    numbers = np.arange(0)
-    for depth in range(MOST):
-        left_out = np.zeros(len(kind), dtype=bool)
-        np.logical_and(kind[:-1] == OPENS, kind[1:] == CLOSES, out=left_out[:-1])
-        if np.count_nonzero(left_out) * FEWEST <= len(kind):
+    turn, last = kind > MOVE, kind == CLOSES
+    ending = last.copy()  # what stands at the end of a branch
+    for _ in range(ROW):
+        last = turn[: len(last) - 1] & last[1:]
+        if not last.any():
             break
-        left_out[1:] |= left_out[:-1].copy()
-        found[numbers.take(np.flatnonzero(left_out)) if depth else left_out] = True
-        stays = np.flatnonzero(~left_out)
-        numbers, kind = numbers.take(stays) if depth else stays, kind.take(stays)
-    return found
+        ending[: len(last)] |= last
+    idle = ending & turn
+    inside = (kind[:-1] == OPENS) & ending[1:]  # a branch of which no more is than its end
+    idle[:-1] |= inside
+    for place in range(1, ROW + 2):
+        inside &= ending[place:]
+        if not inside.any():
+            break
+        idle[place:] |= inside
+        inside = inside[:-1] & turn[place:-1]
+    return idle

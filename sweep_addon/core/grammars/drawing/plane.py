@@ -13,6 +13,7 @@ from .running import Running
 WIDEST = 1 << 20  # headings in a table
 BLOCK = 1 << 15  # modules
 COUNTED = 256  # by a byte
+TURNS, ABOUT = {"+": 1, "-": -1}, {"|": 1}  # steps of modules by their names
 
 
 class Plane:
@@ -28,37 +29,41 @@ class Plane:
         self.at_first = 90.0 if walk.along == "y" else 0.0  # degrees
         self.upright = walk.along == "z"
         self.column = int(self.upright)  # of the two coordinates that differ, the first
-        self.halves = self.counted("|", "") % 2 if walk.named.get("|") else None
+        self.halves = self.counted(ABOUT) % 2 if walk.named.get("|") else None
 
-    def sense(self, left, right):
-        """(s,) int8 array: which modules turn left by a step, and which right."""
+    def steps(self, steps):
+        """(s,) int8 array: the step of each module, by that of its name."""
         found = np.zeros(len(self.walk.word.tables.symbols), dtype=np.int8)
-        found[self.walk.numbers(left)] = 1
-        found[self.walk.numbers(right)] = -1
+        for name, step in steps.items():
+            found[self.walk.numbers(name)] = step
         return found
 
-    def counted(self, left, right):
-        """(m,) int array: how often the turtle has turned left, and how often less right, on its way to each move."""
-        walk, sense = self.walk, self.sense(left, right)
+    def counted(self, steps):
+        """(m,) int array: what the steps of turns add up to on the way to each move."""
+        walk = self.walk
         if walk.branched:
-            return self.counted_in(walk.limbs, sense)
+            counts, limbs = walk.limbs.counted(steps), walk.limbs
+            edges, found = counts.at(limbs.branches.brackets), counts.at(limbs.moves)
+            return limbs.branches.counts_at(edges, found, walk.sums)
         found = np.empty(walk.count, dtype=np.int32)
-        for part, places, sums in self.blocks(sense):
+        for part, places, sums in self.blocks(self.steps(steps)):
             found[part] = sums.at(places)
         return found
 
-    def counted_in(self, limbs, sense, dtype=np.int32):
-        """The same of a word with branches."""
-        counts = limbs.counts(sense, dtype)
-        return limbs.branches.counts_at(counts.take(limbs.branches.brackets), counts.take(limbs.moves), self.walk.sums)
+    def counted_in_bytes(self):
+        """(m,) uint8 array: the turns on the way to each move of a word with branches, without multiples of 256."""
+        limbs = self.walk.limbs
+        counts = limbs.counted(TURNS).bytes
+        edges, found = counts.take(limbs.branches.brackets), counts.take(limbs.moves)
+        return limbs.branches.counts_at(edges, found, self.walk.sums)
 
-    def blocks(self, sense):
+    def blocks(self, table):
         """Which moves are in each block of modules, where in it, and the sums of steps there; without branches."""
         walk, before, begin = self.walk, 0, 0
         for edge in range(0, len(walk.symbols), BLOCK):
             symbols = walk.symbols[edge : edge + BLOCK]
             places = np.flatnonzero(walk.looked_up(walk.moving, symbols))
-            sums = Running(walk.looked_up(sense, symbols), before)
+            sums = Running(walk.looked_up(table, symbols), before)
             before, stop = sums.total, begin + len(places)
             yield slice(begin, stop), places, sums
             begin = stop
@@ -68,7 +73,7 @@ class Plane:
         walk = self.walk
         if walk.turns_differ:
             return self.at_first + self.added(), None
-        count = self.counted("+", "-")
+        count = self.counted(TURNS)
         least, most = (int(count.min()), int(count.max())) if len(count) else (0, 0)
         if most - least > WIDEST:
             return self.at_first + count * walk.system.angle, None
@@ -103,7 +108,7 @@ class Plane:
     def ways(self, length):
         """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
         if self.by_bytes and self.walk.branched:
-            found, which = self.circle, self.counted_in(self.walk.limbs, self.sense("+", "-"), np.uint8)
+            found, which = self.circle, self.counted_in_bytes()
         else:
             found, which = self.headings()
         if np.ndim(length) or which is None:
@@ -137,7 +142,7 @@ class Plane:
         """Moves in rows, and the ways that they go."""
         if self.by_bytes:
             found = self.circle * length
-            for part, places, sums in self.blocks(self.sense("+", "-")):
+            for part, places, sums in self.blocks(self.steps(TURNS)):
                 yield part, found.take(sums.bytes.take(places))
             return
         ways = self.ways(length)

@@ -107,7 +107,7 @@ class Walk:
     @cached_property
     def moves(self):
         """(m,) int array: the modules that move the turtle."""
-        return self.limbs.places.take(self.limbs.moves)
+        return np.flatnonzero(self.is_moving)
 
     @cached_property
     def is_drawn(self):
