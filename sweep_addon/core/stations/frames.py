@@ -30,6 +30,7 @@ __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMini
 PLACES = 2049  # where it is looked at how a frame turns
 CONTINUED = 1024  # places from each of which to the next a frame is continued
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
+TIE = 1e-6  # radians: where planes of two bends are square to each other, rounding must not choose the side
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
 
@@ -123,10 +124,7 @@ class Frenet(OfItsPlace):
 
     def angles(self, stations, normals, holonomy, symmetry):
         """The angle of the principal normal from the rotation-minimizing normals, (n,), and a warning."""
-        bend, corners = stations.bend.copy(), stations.corners
-        bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
-        curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
-        found = signed_angle(normals, bend, stations.leave)
+        found, curved = self.towards(stations, normals)
         refused = self.continuation is Continuation.REFUSE
         if not (curved.any() or refused):
             return np.zeros(len(found)), (
@@ -144,6 +142,13 @@ class Frenet(OfItsPlace):
         if self.continuation is Continuation.SMOOTH:
             filled = fill(stations, found, curved, holonomy, half=True)
         return filled, told
+
+    def towards(self, stations, normals):
+        """The angle of the centre of curvature from the rotation-minimizing normals, and where there is one: (n,)."""
+        bend, corners = stations.bend.copy(), stations.corners
+        bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
+        curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
+        return signed_angle(normals, bend, stations.leave), curved
 
 
 @declared
@@ -315,15 +320,22 @@ def fill(stations, angles, known, holonomy, half=False):
     With `half`, an angle and the one opposite are the same, so that an inflection does not turn the frame round.
     """
     period = tau / 2 if half else tau
-    at, found = stations.s[known], np.unwrap(angles[known], period=period)
+    at, found = stations.s[known], angles[known].copy()
+    steps = np.diff(found)
+    found[1:] += period * np.cumsum(np.round((nearest(steps, period) - steps) / period))
     if stations.closed:  # once round, the same frame stands at an angle that has grown by minus the holonomy
         again = found[0] - holonomy
-        again += period * np.round((found[-1] - again) / period)
+        again = found[-1] + nearest(again - found[-1], period)
         if abs(wrapped(again - found[0] + holonomy)) > tau / 4:  # the sides changed an odd number of times
             return fill(stations, angles, known, holonomy)
         at, found = np.append(at, at[0] + stations.total), np.append(found, again)
         at, found = np.insert(at, 0, at[-2] - stations.total), np.insert(found, 0, found[-2] - (again - found[0]))
     return np.interp(stations.s, at, found)
+
+
+def nearest(steps, period):
+    """Steps to the nearest of angles that are the same, and forward where one back is as near but for rounding."""
+    return wrapped(steps - TIE, period) + TIE
 
 
 def lost(stations, defined, flips):

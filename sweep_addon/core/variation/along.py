@@ -13,7 +13,8 @@ from ..declared.frozen import frozen
 from ..declared.parameters import LARGEST, ShapeError, at, require
 from ..rings.ends import Taper
 from ..stations.cells import WIDEST_TURN
-from ..stations.frames import turn
+from ..stations.frames import Frenet, turn
+from ..stations.leaps import leaps
 from ..stations.search import highest
 from ..trajectories.arc_length import arc_length
 from .laws import Constant, Law
@@ -97,7 +98,10 @@ class Along:
         return values[0] * taper, values[1] * taper, *values[2:]
 
     def marks(self):
-        """Arc lengths where a station must be: starts of tapers, points of no scale, and one between two of these."""
+        """Arc lengths where a station must be.
+
+        Where tapers start, beside leaps of the frame, where there is no scale, and one between two such points.
+        """
         total = left = arc_length(self.trajectory).total
         for key, length in zip(("start.length", "end.length"), self.tapers, strict=True):
             fits = length <= left + 1e-9 * total
@@ -108,6 +112,8 @@ class Along:
             marks.extend(arc_length(self.trajectory).at(self.trajectory.joints()))
         if self.change is not None:
             marks.extend(self.change.places * total)
+        if isinstance(self.frame, Frenet):
+            marks.extend(leaps(self.frame, self.trajectory).ravel())
         if not self.is_constant:
             points = np.sort(np.concatenate(([0.0], self.crossings(), self.touches(), [total])))
             flat = np.abs(self.at(points)[0]) <= NOTHING * self.largest

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Leaps: where a Frenet frame turns at once, at an inflection or where the trajectory begins to bend another way."""
+
+from functools import lru_cache
+from math import tau
+
+import numpy as np
+
+from ..trajectories.arc_length import arc_length
+from . import sampling
+from .frames import JUMP, Continuation, rotation_minimizing
+from .rotations import wrapped
+
+CELLS = 2048  # of the trajectory, in each of which a leap is looked for
+PARTS = 16  # of a cell with a leap, which is looked for in each: single precision still tells their ends apart
+STRAIGHT = 4  # cells: over a longer stretch without a normal the frame turns evenly
+
+
+@lru_cache(maxsize=16)
+def leaps(frame, trajectory):
+    """Arc lengths right before and right behind each place where a Frenet frame turns at once.
+
+    Contours must stand at both: between others the mesh would wring itself from one to the next, through its own axis.
+
+    Parameters
+    ----------
+    frame : Frenet
+    trajectory : Trajectory
+
+    Returns
+    -------
+    (k, 2) float array
+        In metres; that behind the end of a closed trajectory is behind its start.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.stations.frames import Frenet
+    >>> from sweep_addon.core.trajectories import Formula
+    >>> turning = Formula("u", "u^3", "0", start=-1.0, end=1.0)
+    >>> (leap,) = leaps(Frenet(Continuation.EXACT), turning)
+    >>> bool(leap[0] < turning.length() / 2 < leap[1]), leaps(Frenet(), turning).tolist()
+    (True, [])
+    """
+    s = np.linspace(0.0, arc_length(trajectory).total, CELLS + 1)
+    straight = STRAIGHT * s[1]
+    found = leaping(frame, trajectory, s, straight)
+    if len(found):
+        closer = np.linspace(*found.T, PARTS + 1).ravel()
+        s = np.unique(np.concatenate((s, np.where(closer < s[-1], closer, closer - s[-1]))))
+        found = leaping(frame, trajectory, s, straight)
+    return np.where(found < s[-1], found, found - s[-1])
+
+
+def leaping(frame, trajectory, s, straight):
+    """The arc lengths, out of rising ones from end to end, from which a frame leaps to the next that has a normal.
+
+    Between two that are farther apart than what is told to be straight it turns evenly.
+    """
+    placed = sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
+    normals, holonomy = rotation_minimizing(placed)
+    angles, curved = frame.towards(placed, normals)
+    at, angles = placed.s[curved], angles[curved]
+    if trajectory.closed and len(at):
+        at, angles = np.append(at, at[0] + placed.total), np.append(angles, angles[0] - holonomy)
+    turn = wrapped(np.diff(angles), tau if frame.continuation is Continuation.EXACT else tau / 2)
+    leap = (np.abs(turn) > JUMP) & (np.diff(at) <= straight)
+    return np.stack((at[:-1][leap], at[1:][leap]), axis=1)

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a Frenet frame turns at once the contour does, and the sweep is not wrung through its own axis."""
+
+from math import atan, pi, sqrt
+
+import numpy as np
+import pytest
+from solids import box
+
+from sweep_addon import classify
+from sweep_addon.core.contours import Outline, Rectangle
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.stations.frames import Continuation, Frenet
+from sweep_addon.core.stations.leaps import leaps
+from sweep_addon.core.stations.sampling import Count, Tolerance
+from sweep_addon.core.trajectories import Bezier, Formula, Helix
+
+EXACT = Frenet(Continuation.EXACT)
+TURNING = Formula("u", "u^3", "0", start=-1.0, end=1.0)
+EIGHT = Formula("sin(u)", "sin(2*u)", "0", start=0.0, end=2 * pi)  # it bends the other way at its start and halfway
+HANDLE = 4 / 3 * (sqrt(2) - 1)  # of a quarter of a circle
+TWO_PLANES = Bezier(
+    [(1, 0, 0), (1, HANDLE, 0), (HANDLE, 1, 0), (0, 1, 0), (-HANDLE, 1, 0), (-1, 1, 1 - HANDLE), (-1, 1, 1)]
+)
+BESIDE = 0.1 * 0.05 * 2 * 0.9 * pi / 2  # Pappus: two quarters of a turn, the frame 90 degrees forward between them
+
+
+@pytest.mark.parametrize("samples", [Count(400), Tolerance(1e-4)])
+@pytest.mark.parametrize("trajectory", [TURNING, EIGHT])
+def test_bar_that_half_a_turn_maps_to_itself_is_as_large_however_its_frame_leaps(trajectory, samples):
+    volumes = [
+        GeneralizedCylinder(Rectangle(0.1, 0.05), trajectory, samples=samples, frame=frame).mesh().volume()
+        for frame in (EXACT, Frenet())
+    ]
+    assert volumes[0] == pytest.approx(volumes[1], rel=2e-4)
+
+
+def test_bar_beside_its_path_is_always_on_the_side_of_the_centre_of_curvature():
+    """Pappus: area times the way of the centroid, which is shorter by the turns of the tangent times its distance."""
+    bar = GeneralizedCylinder(Outline([box((0.0, 0.0), (0.1, 0.05))]), TURNING, Tolerance(1e-5), EXACT)
+    turns = 2 * atan(3)  # the tangent's slope is 3 u^2, from 3 to 0 and back to 3
+    assert bar.mesh().volume() == pytest.approx(0.1 * 0.05 * (TURNING.length() - 0.05 * turns), rel=2e-4)
+
+
+@pytest.mark.parametrize("frame", [EXACT, Frenet()])
+def test_quarter_turn_between_two_planes_is_made_in_a_thirtythousandth_of_the_length(frame):
+    """Both quarters of circles bend in their own plane up to where they meet, where each is half of the length."""
+    (leap,) = leaps(frame, TWO_PLANES)
+    total = TWO_PLANES.length()
+    assert leap[0] <= total / 2 <= leap[1] and leap[1] - leap[0] < total / 30_000
+    shown = GeneralizedCylinder(Rectangle(0.1, 0.05), TWO_PLANES, Count(21), frame).frames()
+    inward = np.where(shown.s[:, None] < total / 2, (0, 0, 0), (0, 1, 1)) - shown.points
+    along = np.einsum("ij,ij->i", shown.e2, inward) / np.linalg.norm(inward, axis=1)
+    assert np.abs(along).min() > 0.99  # a smooth one takes either side of the second
+
+
+def test_side_on_which_a_smooth_frame_goes_on_does_not_hang_on_rounding():
+    """At a right angle both are as near. Turned and moved it is the same bar, and membership tells of the same one."""
+    random, beside = np.random.default_rng(0), Outline([box((0.05, 0.0), (0.15, 0.05))])
+    for _ in range(20):
+        turn = np.linalg.qr(random.normal(size=(3, 3)))[0]
+        turn *= np.sign(np.linalg.det(turn))
+        path = Bezier(np.asarray(TWO_PLANES.points) @ turn.T + random.normal(size=3))
+        bars = [GeneralizedCylinder(beside, path, samples, Frenet()) for samples in (Count(33), Count(200))]
+        for bar in bars:
+            assert (classify(bars[0], bar.mesh().vertices, tolerance=1e-3) == 0).all()
+        assert bars[1].mesh().volume() == pytest.approx(BESIDE, rel=1e-3)
+
+
+def test_where_no_frame_leaps_there_is_nothing():
+    for frame, trajectory in ((Frenet(), TURNING), (EXACT, Helix()), (Frenet(), EIGHT)):
+        assert leaps(frame, trajectory).shape == (0, 2)
+    assert leaps(EXACT, EIGHT).shape == (2, 2)
