@@ -11,8 +11,8 @@ from sweep_addon.core.declared.forms import dump, load
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grids.chart import Texture
 from sweep_addon.core.rings.corners import Round
-from sweep_addon.core.rings.limits import Flat, Open, Plane
 from sweep_addon.core.rings.cutting import ONCE
+from sweep_addon.core.rings.limits import Flat, Open, Plane
 from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
 from sweep_addon.core.stations.directions import Arrows, Cubic, Guide, Tilt
 from sweep_addon.core.stations.sampling import Count, Tolerance
@@ -249,7 +249,7 @@ BAD = {
     f"start: {ONCE}, got that of point 1 cut again before all others are": dict(
         trajectory=Helix(1.0, 0.5, 3), direction=LEVEL, start=Plane((0, 0, 0.75), (0, 0.5, 1))
     ),
-    "end: must leave something behind the start everywhere, got -0.05 m of it": dict(
+    "end: must cut the solid off beyond its start everywhere, got 0.05 m before it": dict(
         start=Plane((0, 0, 1), (1, 0, 1)), end=Plane((0, 0, 1.1), (0, 0, 1))
     ),
     "end: must cut within 415 m of the trajectory's end, got 996": dict(end=Plane((0, 0, 1000), (0, 0, 1))),

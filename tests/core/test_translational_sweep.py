@@ -3,7 +3,7 @@
 """Translational sweeps against Cavalieri's principle and Steiner's formula, and their refusals."""
 
 import re
-from math import atan, pi, radians, tan
+from math import atan, cos, pi, radians, sin, tan
 
 import numpy as np
 import pytest
@@ -189,6 +189,19 @@ def test_edges_that_meet_at_the_height_or_hardly_beyond_are_refused(name, short)
 @pytest.mark.parametrize("short", [0, 1e-12, 1e-9, 5e-7])
 def test_square_is_a_pyramid_also_hardly_below_its_tip(short):
     assert len(TranslationalSweep(Rectangle(2, 2), 3.0, taper=atan(1 / 3) * (1 - short)).mesh().vertices) == 5
+
+
+@pytest.mark.parametrize("points", [5, 64, 1000])
+def test_angle_told_for_a_circle_makes_a_cone_in_radians_and_in_degrees(points):
+    """Its sides are those of the polygon of its points, whose distance from the middle is cos(pi / n) of the radius."""
+    with pytest.raises(ShapeError, match=r"^taper: must be at most ") as caught:
+        TranslationalSweep(Circle(1.0, points), 2.0, taper=1.2).mesh()
+    told, shown = map(float, re.search(r"at most ([\d.]+) \(([\d.]+) degrees", str(caught.value)).groups())
+    assert told == pytest.approx(atan(cos(pi / points) / 2.0), rel=1e-8)
+    for angle in (told, radians(shown), float(np.float32(radians(shown)))):
+        mesh = TranslationalSweep(Circle(1.0, points), 2.0, taper=angle).mesh()
+        assert len(mesh.vertices) == points + 1
+        assert mesh.volume() == pytest.approx(points / 2 * sin(2 * pi / points) * 2 / 3, rel=1e-6)
 
 
 def test_outward_draft_is_refused_where_a_hollow_corner_closes():

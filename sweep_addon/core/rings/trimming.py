@@ -51,7 +51,7 @@ def trimmed(limits, bending, section, stations, tolerance):
     section, (starts, ends) = followed(limits, whole, section, tolerance)
     left = float((ends - starts).min())
     if left <= SHORTEST * bending.total:
-        raise ShapeError(f"must leave something behind the start everywhere, got {left:.6g} m of it", "end")
+        raise ShapeError(f"must cut the solid off beyond its start everywhere, got {-left:.6g} m before it", "end")
     require_few(len(section.points) * len(stations.s), "samples")
     between, *fans = ranged(stations.s, starts, ends, [isinstance(limit, Plane) for limit in limits])
     weights = np.concatenate((affine(section.points), np.eye(3)))

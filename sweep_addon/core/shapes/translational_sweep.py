@@ -262,14 +262,14 @@ class TranslationalSweep(Operand):
         found = draft.draft(section, tuple(slopes.tolist()), tuple(ends))
         for height, reached, point in zip(ends, found.reached, found.points, strict=True):
             if height > reached * (1 + draft.ALIKE if point else 1):
-                raise self.refusal(slopes, height, reached)
+                raise self.refusal(slopes, height, reached, point)
         return found
 
-    def refusal(self, slopes, height, reached):
-        """What is said of a taper whose edges meet before the height: the largest angle."""
+    def refusal(self, slopes, height, reached, point):
+        """What is said of a taper whose edges meet before the height: the largest angle, which makes a point if all do."""
         key, angle = self.steepest(slopes)
         most = atan(tan(abs(angle)) * reached / height)
-        most = f"must be less than {most:.9g} ({degrees(most):.6g} degrees) in size"
+        most = f"must be {'at most' if point else 'less than'} {most:.9g} ({degrees(most):.9g} degrees) in size"
         return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(angle)}", key)
 
     def steepest(self, slopes):
