@@ -155,3 +155,10 @@ def test_whatever_outline_is_fitted_has_its_area_and_does_not_cross(seed, corner
         return
     assert section.area == pytest.approx(contour.area, rel=1e-11)
     Section.from_loops([section.points])
+
+
+def test_a_fit_may_be_told_by_its_name():
+    """An area-true triangle for a circle of radius 2 has the circle's area."""
+    assert fitted(Circle(2.0, points=3), "area-true").area == pytest.approx(4 * np.pi, rel=1e-12)
+    with pytest.raises(ShapeError, match="^fit: must be one of inscribed, area-true, circumscribed, got 'area'"):
+        fitted(Circle(), "area")

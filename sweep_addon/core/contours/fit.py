@@ -7,7 +7,7 @@ from enum import Enum
 
 import numpy as np
 
-from ..declared.parameters import require, spelled
+from ..declared.parameters import at, pick, require, spelled
 from ..later import later
 from ..vectors import dot
 
@@ -31,7 +31,8 @@ def fitted(contour, fit):
     contour : Circle, Outline, ...
         One with curves has ``apexes()``, the point of the curve that is farthest from each edge, and ``area``, which
         the curves enclose. Straight edges stay on their lines.
-    fit : Fit
+    fit : Fit or str
+        One of its members, or the name of one: "area-true".
 
     Returns
     -------
@@ -51,9 +52,10 @@ def fitted(contour, fit):
     Examples
     --------
     >>> from .circle import Circle
-    >>> round(fitted(Circle(points=5), Fit.AREA_TRUE).area, 12) == round(np.pi, 12)
+    >>> round(fitted(Circle(points=5), "area-true").area, 12) == round(np.pi, 12)
     True
     """
+    fit = member(fit)
     section = contour.section()
     require(section.closed or fit is Fit.INSCRIBED, "must be inscribed where the contour is open", spelled(fit), "fit")
     apexes = contour.apexes() if fit is not Fit.INSCRIBED and hasattr(contour, "apexes") else None
@@ -76,8 +78,16 @@ def all_fitted(contour, fit):
     """The sections of a contour, fitted: one, or those of the areas and of the lines of a mixed one."""
     if not hasattr(contour, "sections"):
         return (fitted(contour, fit),)
-    require(fit is Fit.INSCRIBED, "must be inscribed for a mixed contour, which has no curves", spelled(fit), "fit")
+    require(member(fit) is Fit.INSCRIBED, "must be inscribed for a mixed contour, which has no curves", spelled(member(fit)), "fit")
     return contour.sections()
+
+
+def member(fit):
+    """The fit that was meant: scripts may give its name, as jobs do."""
+    if isinstance(fit, Fit):
+        return fit
+    with at("fit"):
+        return pick({spelled(each): each for each in Fit}, fit)
 
 
 def moved(section, vectors):
