@@ -25,7 +25,7 @@ COLUMNS, CELL, LINE = 10, 170, 23  # cells in a row, their pixels, and those of 
 STEPS = 16  # of a colour from dark to light in the file
 FILLED = 0.9  # of a cell by its figure
 FLAT = 0.1  # depth of what is seen from in front, in its size
-AZIMUTH, ELEVATION = -0.6, 0.28
+AZIMUTH, ELEVATION = -2.17, 0.28
 PAPER, CARD, TITLE = (0.875, 0.875, 0.9375), (1.0, 1.0, 1.0), (0.125, 0.125, 0.1875)
 INK, BARK, GREEN, LEAF = (0.10, 0.22, 0.48), (0.36, 0.25, 0.17), (0.18, 0.36, 0.16), (0.30, 0.52, 0.20)
 PINK, VIOLET, GOLD, RED = (0.92, 0.55, 0.68), (0.45, 0.30, 0.70), (0.87, 0.62, 0.15), (0.75, 0.10, 0.12)
@@ -93,8 +93,8 @@ def figure(preset, middle):
     size = np.ptp(mesh.vertices, axis=0)
     if size[2] < FLAT * size.max():
         turned = Matrix.Rotation(np.pi / 2, 4, "X")
-    elif size[0] < FLAT * size.max():
-        turned = Matrix.Rotation(np.pi / 2, 4, "Z")
+    elif size[1] < FLAT * size.max():
+        turned = Matrix()
     else:
         turned = Matrix.Rotation(ELEVATION, 4, "X") @ Matrix.Rotation(AZIMUTH, 4, "Z")
     seen = mesh.vertices @ np.array(turned.to_3x3()).T

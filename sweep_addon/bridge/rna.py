@@ -111,13 +111,13 @@ def define(p, pointers, update):
 def number(p, common):
     """The property of a number, or of several.
 
-    A slider stops at the limits. What is set beyond is not made to fit: it is refused in the value's own words.
+    A slider stops at the limits. What is set below a minimum becomes that, as Blender has it, also where a curve of
+    keyframes dips. What is set beyond another limit is not made to fit but refused as it is, in the value's own words.
     """
     whole = p.type is int
     widest, above = WIDEST[whole], p.above
-    lowest = max(p.minimum, above, -widest)
     highest = p.maximum if p.soft_maximum is None else p.soft_maximum
-    common["min"], common["max"] = lowest, min(p.maximum + 1, widest)
+    common["min"], common["max"] = max(p.minimum, -widest), widest
     if above > p.minimum:
         common["soft_min"] = above + SMALLEST
     if highest < widest:

@@ -108,9 +108,10 @@ def test_straight_preset_follows_the_active_curve_if_that_is_selected_and_asked_
 
 def test_refused_shape_leaves_nothing_behind(scene):
     before = known()
-    with pytest.raises(RuntimeError, match="contour.radius: must be more than 0, got 0"):
-        bpy.ops.mesh.generalized_cylinder_add(contour_circle_radius=0)
-    with pytest.raises(RuntimeError, match="samples.contours: must be at most 200000, got "):
+    for radius in (0, -1):
+        with pytest.raises(RuntimeError, match=f"contour.radius: must be more than 0, got {radius}$"):
+            bpy.ops.mesh.generalized_cylinder_add(contour_circle_radius=radius)
+    with pytest.raises(RuntimeError, match="samples.contours: must be at most 200000, got 1000000000"):
         bpy.ops.mesh.generalized_cylinder_add(samples="COUNT", samples_count_contours=10**9)
     assert known() == before
 

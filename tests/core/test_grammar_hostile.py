@@ -116,7 +116,7 @@ def test_no_text_takes_long_to_read(told):
 
 @pytest.mark.parametrize("given", [{"a": "1"}, {"a": None}, {"a": 10**400}, {"a": 1e999}, {"a": [1]}, [1], {1: 2}])
 def test_only_finite_numbers_stand_for_constants(given):
-    with pytest.raises(ShapeError, match="constants: must"):
+    with pytest.raises(ShapeError, match="^constants: must|^constants.1: is no constant"):
         LSystem.parse("#define a 1\naxiom: A(a)", given)
 
 

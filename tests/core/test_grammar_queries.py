@@ -13,7 +13,7 @@ from sweep_addon.core.grammars import LSystem
 from sweep_addon.core.grammars.deriving.describing import described
 from sweep_addon.core.shapes.plant import Edges, Plant
 
-START = {"x": ((1, 0, 0), (0, 1, 0), (0, 0, 1)), "z": ((0, 0, 1), (0, 1, 0), (-1, 0, 0))}
+START = {"x": ((1, 0, 0), (0, 1, 0), (0, 0, 1)), "z": ((0, 0, 1), (-1, 0, 0), (0, -1, 0))}
 SQUARE = """
 #heading y
 #define L 9

@@ -13,7 +13,7 @@ from sweep_addon.core.grammars import LSystem
 
 DRAWN = [entry for entry in ENTRIES if "geometry" in entry]
 ALONG_X = {"H": np.array([1.0, 0, 0]), "L": np.array([0, 1.0, 0]), "U": np.array([0, 0, 1.0])}
-UPWARDS = {"H": np.array([0, 0, 1.0]), "L": np.array([0, 1.0, 0]), "U": np.array([-1.0, 0, 0])}
+UPWARDS = {"H": np.array([0, 0, 1.0]), "L": np.array([-1.0, 0, 0]), "U": np.array([0, -1.0, 0])}
 FLAT, SPATIAL, LEVELLING = "FFFffG+-|!'[]", "FFFfG+-&^\\/|!'[]", [*"FFFfG+-&^\\/|$!'[]", "@v"]
 BESIDE = [*"FFFfG+-[]{{}}..", "~K", "~L"]
 
@@ -71,6 +71,14 @@ def errors(figure, segments):
     axes = [list(segment["axes"].values()) for segment in segments]
     wrong = np.abs(np.stack((figure.start, figure.end), axis=1) - ends).max(axis=(1, 2)) / size
     return np.maximum(wrong, np.abs(figure.axes - axes).max(axis=(1, 2)))
+
+
+@pytest.mark.parametrize("roll", ["", "/(0)"])
+def test_an_upright_plant_is_seen_from_in_front_as_the_book_draws_it(roll):
+    """Its page: x to the right, z up, and the turtle's up towards the reader, whose front view looks along y."""
+    figure = LSystem.parse(f"axiom: {roll}F(2)[+(90)F(1)][-(90)F(3)]").derive(0).figure(upright=True)
+    assert figure.end == pytest.approx(np.array([(0, 0, 2), (-1, 0, 2), (3, 0, 2)]), abs=1e-12)
+    assert figure.axes[0] == pytest.approx(np.array([(0, 0, 1), (-1, 0, 0), (0, -1, 0)]), abs=1e-12)
 
 
 @pytest.mark.parametrize("letters", [FLAT, SPATIAL])

@@ -84,8 +84,8 @@ class Word:
         Parameters
         ----------
         upright : bool, optional
-            Whether it starts upwards, along z, or along x with its left along y. Where nothing is said, it starts as
-            the system says; else one with branches that turns out of the plane grows upwards.
+            Whether it starts upwards, along z with its left along -x, or along x with its left along y. Where nothing
+            is said, it starts as the system says; else one with branches that turns out of the plane grows upwards.
         budget : Budget, optional
             Of the interpretation, and of the arrays of the figure.
         system : LSystem, optional

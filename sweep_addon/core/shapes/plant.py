@@ -33,7 +33,7 @@ SAID = ("generations", "angle", "step", "width", "seed")  # what the text says w
 
 class Start(Enum):
     AUTOMATIC = "Upwards where the system has branches and turns out of the plane, else along x"
-    UPWARDS = "Along z"
+    UPWARDS = "Along z, with its left along -x, as seen from in front"
     ALONG_X = "Along x, with its left along y"
 
     @classmethod

@@ -26,9 +26,8 @@ class Plane:
 
     def __init__(self, walk):
         self.walk = walk
-        self.at_first = 90.0 if walk.along == "y" else 0.0  # degrees
+        self.at_first = 0.0 if walk.along == "x" else 90.0  # degrees
         self.upright = walk.along == "z"
-        self.column = int(self.upright)  # of the two coordinates that differ, the first
         self.halves = self.counted(ABOUT) % 2 if walk.named.get("|") else None
 
     def steps(self, steps):
@@ -91,19 +90,14 @@ class Plane:
         return after[walk.branches.before(walk.moves, chosen)]
 
     def headings(self):
-        """Directions as complex numbers, and which of them each move has; None where each has its own."""
+        """Directions in the plane as complex numbers, and which of them each move has; None where each has its own."""
         degrees, which = self.degrees()
-        found = self.directions(degrees)
+        found = turns.unit(degrees)
         if self.halves is None:
             return found, which
         if which is None:
             return found * (1 - 2 * self.halves), None
         return np.concatenate((found, -found)), which + len(found) * self.halves
-
-    def directions(self, degrees):
-        """(n,) complex array: x + iy of headings; y + iz of a turtle that starts upwards, with its left along y."""
-        found = turns.unit(degrees)
-        return 1j * found.conj() if self.upright else found
 
     def ways(self, length):
         """(m,) complex array: how far each move goes, in the plane; lengths are an array, or one number."""
@@ -123,7 +117,7 @@ class Plane:
     @property
     def circle(self):
         """(256,) complex array: the directions after so many turns."""
-        return self.directions(self.at_first + np.arange(COUNTED) * self.walk.system.angle)
+        return turns.unit(self.at_first + np.arange(COUNTED) * self.walk.system.angle)
 
     def path(self, length):
         """Two (m, 3) float arrays: where moves of one length begin and end, of a word without branches.
@@ -132,10 +126,12 @@ class Plane:
         """
         count = self.walk.count
         made = np.zeros((count + 1, 3))
-        places = made[:, self.column : self.column + 2].view(complex)[:, 0]
+        places = made[:, :2].view(complex)[:, 0]
         for part, ways in self.parts(length):
             ways[:1] += places[part.start]
             np.cumsum(ways, out=places[part.start + 1 : part.stop + 1])
+        if self.upright:
+            stand(made)
         return made[:-1], made[1:]
 
     def parts(self, length):
@@ -155,3 +151,9 @@ class Plane:
         degrees = degrees if which is None else degrees[which]
         degrees = degrees + (0 if self.halves is None else 180.0 * self.halves) - self.at_first
         return turns.product(self.walk.start, turns.rotation(2, np.mod(degrees, 720.0)))
+
+
+def stand(points):
+    """Let points (..., 3) of the plane, an array that is written, stand upright on the ground: y is their height."""
+    points[..., 2] = points[..., 1]
+    points[..., 1] = 0.0

@@ -22,7 +22,7 @@ from .branches import Branches
 from .cylinders import MARKS, Cylinders, marked
 from .figure import Figure
 from .limbs import LEVELS, TURNS, Limbs
-from .plane import BLOCK, Plane
+from .plane import BLOCK, Plane, stand
 from .scaling import ANGLE, LENGTH, scaled
 from .sums import Sums
 from .tokens import Tokens
@@ -31,7 +31,8 @@ DRAWS, SKIPS = ("F", "G"), ("f",)
 FEW = 2  # numbers of modules
 SPATIAL = ("&", "^", "\\", "/", *LEVELS)
 EDGE = re.compile("F[A-Za-z0-9]")  # edges of which there are several kinds, as Fl and Fr
-STARTS = {"x": (1 + 0j, 0j), "y": turns.rotation(2, 90.0), "z": turns.rotation(1, -90.0)}
+FACING = (0.5 + 0.5j, -0.5 + 0.5j)  # upwards, with its left along -x and its up along -y: as drawn, from in front
+STARTS = {"x": (1 + 0j, 0j), "y": turns.rotation(2, 90.0), "z": FACING}
 
 
 class Walk:
@@ -180,7 +181,7 @@ class Walk:
         if not self.spatial:
             plane = Plane(self)
             if np.ndim(length) or self.branched:
-                start, end = self.points(plane.ways(length), column=plane.column)
+                start, end = self.points(plane.ways(length), stands=plane.upright)
             else:
                 start, end = plane.path(length)
             found = plane.quaternions
@@ -196,12 +197,10 @@ class Walk:
             start, end = self.cylinders.shaped(self, start, end, found())
         return Figure(self, start, end, found)
 
-    def points(self, *ways, column=0):
-        """Two (m, 3) float arrays: where moves begin and end that go ways, of one coordinate or complex ones of two.
-
-        The first of these is that of the column, the others follow.
-        """
+    def points(self, *ways, stands=False):
+        """Two (m, 3) float arrays: where moves begin and end that go ways, of one coordinate or complex ones of two."""
         made = np.zeros((2, self.count, 3) if self.branched else (self.count + 1, 3))
+        column = 0
         for way in ways:
             width = way.itemsize // made.itemsize
             places = made[..., column : column + width].view(way.dtype)[..., 0]
@@ -210,6 +209,8 @@ class Walk:
             else:  # each begins where one ends
                 np.cumsum(way, out=places[1:])
             column += width
+        if stands:
+            stand(made)
         return made if self.branched else (made[:-1], made[1:])
 
     @cached_property
