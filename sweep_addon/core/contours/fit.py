@@ -78,7 +78,8 @@ def all_fitted(contour, fit):
     """The sections of a contour, fitted: one, or those of the areas and of the lines of a mixed one."""
     if not hasattr(contour, "sections"):
         return (fitted(contour, fit),)
-    require(member(fit) is Fit.INSCRIBED, "must be inscribed for a mixed contour, which has no curves", spelled(member(fit)), "fit")
+    fit = member(fit)
+    require(fit is Fit.INSCRIBED, "must be inscribed for a mixed contour, which has no curves", spelled(fit), "fit")
     return contour.sections()
 
 

@@ -266,7 +266,7 @@ class TranslationalSweep(Operand):
         return found
 
     def refusal(self, slopes, height, reached, point):
-        """What is said of a taper whose edges meet before the height: the largest angle, that of the point if all do."""
+        """What is said of a taper whose edges meet before the height: the largest angle, that of a point if all do."""
         key, angle = self.steepest(slopes)
         most = atan(tan(abs(angle)) * reached / height)
         most = f"must be {'at most' if point else 'less than'} {most:.9g} ({degrees(most):.9g} degrees) in size"
