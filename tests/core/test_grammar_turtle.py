@@ -153,12 +153,14 @@ def test_long_paths_are_drawn_as_by_the_reference():
 @pytest.mark.parametrize("longest", [1, 2, 5, 6, 40])
 @pytest.mark.parametrize("letters", ["F[]", "FfF[]$"])
 def test_runs_of_turns_by_one_angle_are_turned_as_by_the_reference(letters, longest, draws):
+    """By that of the system where a module tells none, else by that of all modules of its name."""
     draw = np.random.default_rng(longest)
     for _ in range(draws // 4):
+        told = {name: (round(draw.uniform(-180, 180), 2),) for name in draw.choice([*"+-&^\\/"], 3)}
         modules = []
         for module in random_word(draw, letters, draw.integers(0, 40), told=0):
-            turns = draw.choice([*"+-&^\\/|"], draw.integers(0, longest + 1))
-            modules += [*((str(turn), ()) for turn in turns), module]
+            turns = map(str, draw.choice([*"+-&^\\/|"], draw.integers(0, longest + 1)))
+            modules += [(turn, told.get(turn, ()) if draw.random() < 0.5 else ()) for turn in turns] + [module]
         figure, segments, _ = compared(modules, True, angle=float(draw.choice([90.0, 22.5, 137.5])))
         loss = np.array([segment["loss"] for segment in segments])
         assert (errors(figure, segments) < 1e-12 / loss).all()

@@ -18,7 +18,8 @@ TURNS = {"+": (2, 1), "-": (2, -1), "&": (1, 1), "^": (1, -1), "\\": (0, -1), "/
 ABOUT = "|"
 LEVELS = ("$", "@v")
 OPENS, CLOSES, MOVE, LEVEL, SPIN = range(1, 6)  # what modules do; those up to a move are firm, those behind are turns
-SPINS = (*TURNS, ABOUT)  # the first of these is a SPIN, each other one more
+SPINS = [(name, told) for told in (False, True) for name in (*TURNS, ABOUT)]  # each one more than the one before, and
+# whether it says by how much it turns
 ROW = 8  # turns that are looked through at the end of a branch
 FEWEST = 12  # of so many modules in a row at least one must be left out, or it does not pay
 BLOCK = 1 << 15  # modules
@@ -40,10 +41,9 @@ class Limbs:
     def __init__(self, walk):
         self.walk, self.stayed = walk, []
         kinds = np.zeros(max(len(walk.word.tables.symbols), 1), dtype=np.uint8)
-        turns = [(SPIN + number, (name,)) for number, name in enumerate(SPINS)]
-        if walk.spatial:
-            turns.append((LEVEL, LEVELS))
-        for kind, names in (*turns, (OPENS, OPEN), (CLOSES, CLOSE)):
+        for number, (name, told) in enumerate(SPINS):
+            kinds[[which for which, count in walk.named.get(name, ()) if (count > 0) == told]] = SPIN + number
+        for kind, names in ((LEVEL, LEVELS if walk.spatial else ()), (OPENS, OPEN), (CLOSES, CLOSE)):
             kinds[walk.numbers(*names)] = kind
         kinds[walk.moving] = MOVE
         self.kind = walk.looked_up(kinds)
@@ -74,8 +74,7 @@ class Limbs:
     def counted(self, steps):
         """Running: what turns add up to in the order of the word, by the step of each name."""
         found = np.zeros(SPIN + len(SPINS), dtype=np.int8)
-        for name, step in steps.items():
-            found[SPIN + SPINS.index(name)] = step
+        found[SPIN:] = [steps.get(name, 0) for name, _ in SPINS]
         return Running(self.walk.looked_up(found, self.kind))
 
     @cached_property

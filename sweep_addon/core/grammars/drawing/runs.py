@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Turns in a row as one rotation.
 
-Where each turns by the angle of the system there are few different runs, and each is multiplied once. Else each has the
-product of its own turns.
+Where all modules of a name turn by the same angle there are few different runs, and each is multiplied once. Else each
+has the product of its own turns.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ from . import paths, turns
 from .limbs import ABOUT, SPIN, SPINS, TURNS
 from .scaling import ANGLE
 
-BITS = 3  # that say which turn it is: 1 more than its place among the spins, 0 is none
+BITS = 4  # that say which turn it is: 1 more than its place among the spins, 0 is none
 MOST = 1 << 12  # different runs
 
 
@@ -36,7 +36,8 @@ def rotations(walk, kind, begins, token):
     (t,) int array or None
         Which of them each token has, if not its own.
     """
-    found = None if walk.turns_differ else different(kind, begins, walk.system.angle)
+    single = of_kinds(walk)
+    found = None if single is None else different(kind, begins, single)
     if found:
         return found
     spin = np.flatnonzero(kind >= SPIN)
@@ -44,23 +45,47 @@ def rotations(walk, kind, begins, token):
     return paths.products_of_runs(spins, token(spin), len(begins)), None
 
 
-def different(kind, begins, angle):
+def of_kinds(walk):
+    """(2, 1 + s) complex array: the rotations of no turn and of each of the spins; None where some turn unequally."""
+    if walk.numbers(ANGLE):
+        return None
+    found = np.zeros((2, 1 + len(SPINS)), dtype=complex)
+    found[0] = 1
+    for number, (name, told) in enumerate(SPINS, 1):
+        if any((count > 0) == told for _, count in walk.named.get(name, ())):
+            angle = told_by_all(walk, name) if told and name != ABOUT else walk.system.angle
+            if angle is None:
+                return None
+            found[:, number] = rotation(name, angle)
+    return found
+
+
+def told_by_all(walk, name):
+    """The angle in degrees that modules of a name with parameters tell, 0 where there are none; None if they differ."""
+    places = np.flatnonzero(walk.chosen(name, given=True))
+    angles = walk.word.columns[0].take(places)
+    if not len(angles):
+        return 0.0
+    return None if (angles != angles[0]).any() else walk.angles(places[:1])[0]
+
+
+def different(kind, begins, single):
     """The rotations of different runs, and which of them each token has; None where they are many or long.
 
     A run with one more turn is the number of the run before, and that of the turn as its last digit.
 
     >>> from sweep_addon.core.grammars.drawing.limbs import CLOSES, MOVE, OPENS
-    >>> kinds = {"[": OPENS, "]": CLOSES, "F": MOVE, "+": SPIN, "-": SPIN + 1, "&": SPIN + 2}
-    >>> kind = np.array([kinds[letter] for letter in "F+-F&[F+-]"], dtype=np.uint8)
-    >>> rotations, which = different(kind, begins=np.array([0, 1, 4, 6, 7]), angle=90.0)
-    >>> which.tolist(), rotations[:, 8].round(9).tolist()
-    ([0, 8, 3, 0, 8], [(1+0j), 0j])
+    >>> kinds = {"[": OPENS, "]": CLOSES, "F": MOVE, "a": SPIN, "b": SPIN + 1}
+    >>> kind = np.array([kinds[letter] for letter in "FabFa[Fab]"], dtype=np.uint8)
+    >>> single = np.array([[1, 1j, 0.6 + 0.8j], [0, 0, 0]])
+    >>> rotations, which = different(kind, begins=np.array([0, 1, 4, 6, 7]), single=single)
+    >>> which.tolist(), rotations[0].round(9).tolist()
+    ([0, 3, 1, 0, 3], [(1+0j), 1j, (0.6+0.8j), (-0.8+0.6j)])
     """
     turn_of = np.zeros(len(kind) + 1, dtype=np.uint8)  # and none behind the last
     np.maximum(kind, SPIN - 1, out=turn_of[:-1])
     turn_of[:-1] -= SPIN - 1
-    single = known = one_turn(angle)
-    run = turn_of.take(begins).astype(np.intp)
+    known, run = single, turn_of.take(begins).astype(np.intp)
     token = np.flatnonzero(run)
     place = begins.take(token)
     for _ in range(paths.LONG):
@@ -83,15 +108,6 @@ def different(kind, begins, angle):
     return None
 
 
-def one_turn(angle):
-    """(2, 8) complex array: the rotations of no turn, and of each by an angle in degrees."""
-    found = np.zeros((2, 1 << BITS), dtype=complex)
-    found[0, 0] = 1
-    for number, name in enumerate(SPINS, 1):
-        found[:, number] = rotation(name, angle)
-    return found
-
-
 def rotation(name, angle):
     """The rotation of a turn by an angle in degrees."""
     if name == ABOUT:
@@ -104,7 +120,7 @@ def of_modules(walk, places):
     """(2, n) complex array: the rotations of modules, looked up where the angle is always the same."""
     symbols, system = walk.symbols[places], walk.system
     tables = np.empty((2, len(walk.word.tables.symbols)), dtype=complex)
-    for name in SPINS:
+    for name in (*TURNS, ABOUT):
         for number in walk.numbers(name):
             tables[:, number] = rotation(name, system.angle)
     found = paths.taken(tables, symbols)
