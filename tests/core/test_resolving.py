@@ -3,7 +3,7 @@
 """Sweeps that meet themselves, resolved into solids."""
 
 import sys
-from math import pi, sin
+from math import asin, pi, sin, sqrt
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ from inverse_sweep import estimate
 from sweep_addon.core.contours import Circle, Outline, Rectangle, Star
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.resolving.of_rings import solid_of_rings
+from sweep_addon.core.shapes.general_sweep import GeneralSweep
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
 from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
@@ -276,6 +277,23 @@ def test_pd_curve_that_folds_has_the_volume_of_the_same_cylinder():
     cylinder = GeneralizedCylinder(Rectangle(0.6, 0.2), PARABOLA, Count(201))
     assert_valid(sweep.solid())
     assert sweep.solid().volume() == pytest.approx(cylinder.solid().volume(), rel=1e-6)
+
+
+@pytest.mark.parametrize("contours", [50, 200])
+def test_square_that_keeps_its_orientation_over_an_arch_leaves_the_arch_open(contours):
+    """At each height it visits two squares, which overlap under the top: its way is tangent to its plane there.
+
+    On the way down all of it moves back, without a turn: what it visits is still no hull of all that.
+    """
+    arch = GeneralSweep(
+        Rectangle(0.2, 0.2), Formula("cos(u)", "0", "sin(u)", start=0.0, end=pi), samples=Count(contours)
+    )
+    overlap = sqrt(1 - 0.1**2)  # from this height on; above it, half as far apart as the arch is wide
+    above = (pi / 2 - asin(overlap) - overlap * 0.1) / 2
+    solid = arch.solid()
+    assert_valid(solid)
+    assert solid.volume() == pytest.approx(0.2 * (0.4 * overlap + 0.2 * (1 - overlap) + 2 * above), rel=6e-3)
+    assert genus(solid) == 0
 
 
 def test_a_translational_sweep_is_a_solid_already():

@@ -19,7 +19,7 @@ def blocks(turned, start, end):
     Parameters
     ----------
     turned : (n,) float array
-        By how many radians the rings have turned up to each.
+        By how many radians the rings have turned up to each, or the ways of their points have bent.
     start, end : int
         The first ring and the last.
 

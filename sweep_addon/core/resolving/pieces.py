@@ -91,7 +91,8 @@ class Pieces:
         else:
             first, last = first - 1, min(last + 1, first - 1 + self.rings.segments + 1)
         segments, _ = self.rings.placed(np.arange(first, last))
-        turned = np.concatenate(([0.0], np.cumsum(self.rings.turns[segments])))
+        turns = np.maximum(self.rings.turns, self.rings.bends)[segments]
+        turned = np.concatenate(([0.0], np.cumsum(turns)))
         return [(first + a, first + b) for a, b in blocks(turned, 0, last - first)]
 
     def hulls(self, first, last):

@@ -11,6 +11,7 @@ from ..grids.laying import Layout, kinds
 from ..meshes.mesh import Mesh
 from ..vectors import cross, dot, norms, unit
 
+TINY = 1e-300  # metres: a tip has no width
 STILL = 1e-3  # of the step of a contour: a point of it that moves forward by less does not move forward
 
 
@@ -134,14 +135,37 @@ class Rings:
         return 2 * np.arcsin(np.minimum(half, 1.0))
 
     @cached_property
-    def folded(self):
-        """(segments,) bool array: in which segments of the grid some point of the contour does not move forward."""
+    def ahead(self):
+        """(m, segments, 3) float array: from each point to where it goes in each segment of the grid."""
         last = self.segments
-        forward = unit(self.normals + np.roll(self.normals, -1, axis=0))[:last]
-        step = norms(np.roll(self.centres, -1, axis=0) - self.centres)[:last]
         ahead = np.empty((self.grid.columns, last, 3))
         ahead[:, : len(self.points[0]) - 1] = self.points[:, 1:]
         if self.closed:
             ahead[:, -1] = self.points[self.turned, 0]
         ahead -= self.points[:, :last]
-        return dot(ahead, forward).min(axis=0) <= STILL * step
+        return ahead
+
+    @cached_property
+    def bends(self):
+        """(segments,) float array: by how many radians a circle as wide as the contour turns, of which points' ways
+        bend as much as those of the points in each segment of the grid.
+
+        A contour that does not turn may go round a corner, and one that turns about its tangent does so in its plane.
+        """
+        before = np.roll(self.ahead, 1, axis=1)
+        if self.closed:
+            before[self.turned, 0] = self.ahead[:, -1]
+        else:
+            before[:, 0] = self.ahead[:, 0]
+        turn = norms(unit(self.ahead) - unit(before))
+        aside = (turn * np.minimum(norms(self.ahead), norms(before))).max(axis=0)
+        rings = np.sqrt(aside / (2 * np.maximum(self.radii[: self.segments], TINY)))
+        return np.maximum(rings, np.append(rings[1:], rings[0] if self.closed else 0.0))
+
+    @cached_property
+    def folded(self):
+        """(segments,) bool array: in which segments of the grid some point of the contour does not move forward."""
+        last = self.segments
+        forward = unit(self.normals + np.roll(self.normals, -1, axis=0))[:last]
+        step = norms(np.roll(self.centres, -1, axis=0) - self.centres)[:last]
+        return dot(self.ahead, forward).min(axis=0) <= STILL * step
