@@ -5,6 +5,7 @@
 from hypothesis import strategies as st
 
 ARITY = {"A": 0, "B": 1, "C": 2, "F": 0, "+": 0, "-": 0, "%": 0, "f": 1}
+PARTS = ["A(1)", "A(2)", "A(3)", "B", "+", "[A(2)]", "[B+A(1)B]"]
 NAMES = "abcdghijklmnopqrstuvwxyz"  # of parameters: f is a module, and e a number
 LETTERS = [letter for letter in ARITY if letter != "%"]
 CONDITIONS = ["{0} > 1", "{0} < 2 || {0} > 3", "!({0} == 1)", "ran(1) < 0.5", "1"]
@@ -105,4 +106,22 @@ def grammars(draw, context=True, stochastic=True, cut=True, axial=False):
             lines += [f"{head} -(0.4)-> {made[0]}", f"{head} -(0.35)-> {made[1]}"]
         else:
             lines.append(f"{head} -> {made[0]}")
+    return "\n".join(filter(None, lines))
+
+
+@st.composite
+def crowded(draw):
+    """The text of a grammar in which a module has many productions: what it tries hangs on its neighbours."""
+
+    def one_of(*told):
+        return draw(st.sampled_from(told))
+
+    lines = [one_of("", "#ignore +"), f"axiom: A(2){''.join(draw(st.lists(st.sampled_from(PARTS), max_size=8)))}A(1)"]
+    for _ in range(draw(st.integers(2, 8))):
+        left, right = one_of("", "A(y) < ", "B < ", "BA(y) < "), one_of("", " > A(z)", " > B")
+        known = ["x", *("y" * ("y" in left)), *("z" * ("z" in right))]
+        condition = one_of("", "", " : x > 1", " : x < 3", " : x == 2", " : {0} - x", " : x + 1 < 2*{0}")
+        made = one_of("A(x+1)", "A(x-1)B", "BA({0})", "[A({0})]A(x)", "A({0}/2)+A(x)", "A({0})B", "A(x,x)B")
+        lines.append(f"{left}A(x){right}{condition} -> {made}".format(draw(st.sampled_from(known))))
+    lines.append(one_of("", "A(x) < B > A(z) -> A(x-z)", "B > B -> B[A(1)]\nB > A(x) : x > 2 -> AB"))
     return "\n".join(filter(None, lines))

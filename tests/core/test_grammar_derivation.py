@@ -4,7 +4,7 @@
 
 import pytest
 import sequential_deriver
-from grammar_inputs import grammars, sectioned
+from grammar_inputs import crowded, grammars, sectioned
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from sequential_deriver import text
@@ -65,6 +65,27 @@ def test_any_word_is_interpreted_as_by_the_reference(told):
 def test_grammars_whose_axes_stay_are_derived_by_links_as_by_the_reference(told):
     assert strategy(LSystem.parse(told).compiled) in ("pool", "forest", "doubling")
     same_words(told, seed=6)
+
+
+@MORE
+@given(crowded())
+@example("axiom: A(3)A(2)A(3)A(1)\nA(x) : x == 1 -> A(4)B\nA(y) < A(x) > A(z) : x > 1 -> A(x-1)\nB < A(x) -> BA(3)")
+@example("axiom: A(1)A(2)A(3)\nA(x) : x < 2 -> B\nA(x) > A(z) : z-2 -> A(z)A(x)\nA(x) > A(z) : x -> BA(z)")
+def test_modules_with_many_productions_take_those_of_the_reference(told):
+    assert strategy(LSystem.parse(told).compiled) in ("pool", "forest")
+    same_words(told, seed=4)
+
+
+KINDS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstu"
+
+
+def test_words_of_many_kinds_are_derived_by_links_as_by_the_reference():
+    """Three of more than 40 kinds are more than 16 bits can number."""
+    rules = [f"{one} < {two} -> {one}" for one, two in zip(KINDS, KINDS[1:], strict=False)]
+    told = "\n".join([f"axiom: {KINDS}", *rules[::2], f"u < {KINDS[0]} -> AB", f"{KINDS[2]} > D -> CDA"])
+    assert strategy(LSystem.parse(told).compiled) == "pool"
+    same_words(told, seed=0)
+    assert str(LSystem.parse(told).derive(1)).startswith("AACDACEEGG")
 
 
 @given(grammars(context=False))

@@ -16,7 +16,8 @@ import numpy as np
 
 from ..declared.frozen import frozen
 from ..declared.parameters import ShapeError, require
-from .functions import COMPARISON, INFIX, LAWS, NEGATION, POWER, PREFIX, Question
+from .functions import COMPARISON, INFIX, LAWS, NEGATION, POWER, PREFIX
+from .plans import Plan
 
 LONGEST = 2000  # characters of a text
 DEEPEST = 100  # brackets, signs and powers inside one another
@@ -87,86 +88,25 @@ class Expression:
         return finite(values, **arrays)
 
     def run(self, values):
-        """The value of the tree for whatever NumPy can calculate with: numbers, arrays, or jets."""
+        """The value of the tree, by the names, for whatever NumPy can calculate with: numbers, arrays, or jets."""
         with np.errstate(all="ignore"):
-            return self.calculated(values)
+            return self.calculated([values[name] for name in self.names])
 
     def calculated(self, values):
-        """The same, for who has told NumPy that no number is an error."""
-        return result(self.steps, values)
+        """The same of values in the order of the names, for who has told NumPy that no number is an error."""
+        return self.plan.result(values)
 
     def answered(self, values):
         """The same, but of an expression that asks something bools."""
-        return result(self.asking, values)
+        return self.question.result(values)
 
     @cached_property
-    def steps(self):
-        return planned(self.program)
+    def plan(self):
+        return Plan(self.names, self.program)
 
     @cached_property
-    def asking(self):
-        return planned(self.program, number=False)
-
-
-def planned(program, number=True):
-    """The steps of a program, in which answers become numbers only where somebody calculates with them.
-
-    Parameters
-    ----------
-    program : tuple
-        As that of an expression.
-    number : bool
-        Whether its own value becomes one.
-
-    Returns
-    -------
-    list
-        Numbers, names, and functions with the number of values they take.
-    """
-    steps, answers = [], []  # of each value that waits the step that answers, or None
-    for step in program:
-        if not isinstance(step, tuple):
-            steps.append(step if isinstance(step, str) else np.float64(step))
-            answers.append(None)
-            continue
-        function, count = step
-        taken = answers[-count:]
-        del answers[-count:]
-        if isinstance(function, Question):
-            answers.append(len(steps))
-            function = function.asked if None in taken else function.of_answers
-        else:
-            answers.append(None)
-            counted(steps, taken)
-        steps.append((function, count))
-    if number:
-        counted(steps, answers)
-    return steps
-
-
-def counted(steps, places):
-    """Let answers at places of a plan become numbers."""
-    for place in places:
-        if place is not None:
-            function, count = steps[place]
-            steps[place] = Question(function), count
-
-
-def result(steps, values):
-    """What planned steps come to, in the order of a stack."""
-    stack = []
-    for step in steps:
-        kind = type(step)
-        if kind is tuple:
-            function, count = step
-            if count == 2:  # as most have
-                second = stack.pop()
-                stack[-1] = function(stack[-1], second)
-            else:
-                stack[-count:] = [function(*stack[-count:])]
-        else:
-            stack.append(values[step] if kind is str else step)
-    return stack[0]
+    def question(self):
+        return Plan(self.names, self.program, number=False)
 
 
 def compile(text, names):

@@ -6,7 +6,6 @@ import numpy as np
 
 from ...formulas.expressions import DRAW
 from .draws import even
-from .evaluating import values
 
 
 class Chunk:
@@ -29,16 +28,16 @@ class Chunk:
     def __init__(self, nodes, size, columns, birth, keys):
         self.nodes, self.size, self.columns, self.birth, self.keys = nodes, size, columns, birth, keys
 
-    def values(self, expression, sources, moment, asking=False):
+    def values(self, formula, moment, asking=False):
         """The value of a formula of their parameters: a number where it is the same for all."""
 
-        def find(name, part):
-            if name.startswith(DRAW):
-                return even(self.keys[part], moment, 1 + int(name.removeprefix(DRAW)))
-            column = self.columns[sources[name][1]]
-            return column[part] if np.ndim(column) else column
+        def find(source, part):
+            if isinstance(source, tuple):
+                column = self.columns[source[1]]
+                return column[part] if np.ndim(column) else column
+            return even(self.keys[part], moment, 1 + int(source.removeprefix(DRAW)))
 
-        return values(expression, find, self.size, asking)
+        return formula.of(find, self.size, asking)
 
     def parameter(self, column, place):
         """A parameter of one of them."""

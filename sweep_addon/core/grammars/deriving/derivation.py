@@ -50,10 +50,10 @@ def derived(system, generations, seed, budget, progress, environment=None):
         meter.tick(generations)
         state = State(symbols, [], None, lambda: doubling.births(tables, generations, again(meter).check))
     elif way in ("forest", "doubling"):
-        (forest,) = deque(grown(Forest, tables, generations, seed, meter), maxlen=1)
+        forest, _ = grown(Forest, tables, generations, seed, meter)
         state = layout.word(forest, lambda: layout.births(forest))
     elif way == "pool":
-        (linked,) = deque(grown(Pool, tables, generations, seed, meter), maxlen=1)
+        linked, _ = grown(Pool, tables, generations, seed, meter)
         state = layout.word(linked, lambda: in_order(tables, generations, seed, again(meter)).births)
     else:
         state = in_order(tables, generations, seed, meter, environment)
@@ -89,16 +89,16 @@ def strategy(tables):
 
 
 def grown(kind, tables, generations, seed, meter):
-    """The forest or the pool of all generations: one that grows."""
+    """The forest or the pool after all generations, and how many modules the word had after each."""
     with np.errstate(all="ignore"):
         growth = kind(tables, seed, meter)
-    meter.room(growth.total, 0)
-    yield growth
-    for generation in range(1, generations + 1):
-        with np.errstate(all="ignore"):
+        meter.room(growth.total, 0)
+        totals = [growth.total]
+        for generation in range(1, generations + 1):
             growth.step(tables.of_step(generation), generation, generation * LEVELS)
-        meter.tick(generation)
-        yield growth
+            meter.tick(generation)
+            totals.append(growth.total)
+    return growth, totals
 
 
 def in_order(tables, generations, seed, meter, environment=None):
@@ -141,7 +141,7 @@ def sizes(system, generations, seed, budget, progress):
     if strategy(tables) == "in order":
         return [len(state) for state in states(tables, generations, seed, meter)]
     kind = Pool if strategy(tables) == "pool" else Forest
-    return [growth.total for growth in grown(kind, tables, generations, seed, meter)]
+    return grown(kind, tables, generations, seed, meter)[1]
 
 
 def finished(state, tables, generation, seed, meter, environment):

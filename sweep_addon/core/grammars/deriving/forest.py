@@ -11,7 +11,7 @@ import numpy as np
 
 from .chunks import Chunk, merged
 from .draws import drawn, even, mix, root
-from .matching import answer, finite
+from .matching import answer, refuse, sound
 from .stepping import told
 
 MOST_CHUNKS = 32  # of a kind, before they are made one
@@ -51,14 +51,13 @@ class Batch:
 
     def evaluate(self, moment):
         """Find the parameters of what replaces the modules."""
-        template, known = self.template, {}
-        self.values = {(place, column): value for place, column, value in template.fixed}
-        for place, column, formula in template.formulas:
-            if formula.program not in known:
-                value = self.chunk.values(formula, template.sources, moment)
-                said = told(template, place, column)
-                known[formula.program] = finite(value, template.rule, said, self.chunk, moment)
-            self.values[place, column] = known[formula.program]
+        template, chunk = self.template, self.chunk
+        self.values = dict(template.fixed)
+        for formula, targets in template.formulas:
+            value = chunk.values(formula, moment)
+            if not (formula.copies or sound(value)):
+                refuse(value, template.rule, told(template, *targets[0]), chunk, moment)
+            self.values.update(dict.fromkeys(targets, value))
 
     def parameters(self, place, count):
         return [self.values[place, column] for column in range(count)]
@@ -152,7 +151,7 @@ def taken(chunk, choices, moment):
     """The productions that modules of a chunk take, each with those; and None with those that stay."""
     for choice in choices:
         if choice.condition is not None:
-            value = chunk.values(choice.condition, choice.sources, moment, asking=True)
+            value = chunk.values(choice.condition, moment, asking=True)
             matching, chunk = chunk.parted(answer(value, choice, chunk, moment))
         else:
             matching, chunk = chunk, None

@@ -87,10 +87,12 @@ def grown(tables, generations, which):
         work += sum(len(growth[group, symbol]) for symbol in counts)
         if work > MOST_WORK:
             return None
-        counts = after(counts, group, growth)
+        before, counts = counts, after(counts, group, growth)
         made.append(counts.total())
         if made[-1] > WIDEST:
             break
+        if counts == before and not tables.groups:  # and so it stays
+            return made + made[-1:] * (generations - step)
     return made
 
 

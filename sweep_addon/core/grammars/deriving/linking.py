@@ -51,6 +51,8 @@ class Shape:
         By place what is on the left and on the right: a place, -1 for the neighbour of the predecessor, None for none.
     first : int or None
         The first that is seen on the axis.
+    alone : bool
+        Whether contexts see none but the heir, whose neighbours stay.
     """
 
     def __init__(self, template, tables):
@@ -78,36 +80,79 @@ class Shape:
             elif symbol in lives:
                 self.places.append(place)
         self.others = [place for place in self.places if place != self.heir]
+        self.alone = [*self.links] == [self.heir]
 
 
-class Lookup:
-    """What modules do by their own kind and those of their neighbours.
+class Trial:
+    """What some modules try one after the other.
+
+    Parameters
+    ----------
+    lists : dict of int to list of (Choice, bool)
+        What each of them tries, by its number in `Lookup.lists`, and whether the context is known to match.
 
     Attributes
     ----------
-    table : (s + 1, s + 1, s + 1) uint16 array
-        By the kinds of the left neighbour, of the module and of the right one: the kind that it becomes, or from s + 1
-        on which list of choices it tries.
-    lists : list of list of (Choice, bool)
+    choices : list of (Choice, bool)
+        What all of them try first.
+    rest : dict of int to list of (Choice, bool)
+        And what some then.
+    """
+
+    def __init__(self, lists):
+        one, *others = lists.values()
+        alike = min([len(one), *(shared(one, other) for other in others)])
+        self.choices = one[:alike]
+        self.rest = {number: tries[alike:] for number, tries in lists.items() if len(tries) > alike}
+
+
+def shared(one, other):
+    """How many items two lists share from the first on."""
+    differs = (place for place, (a, b) in enumerate(zip(one, other, strict=False)) if a != b)
+    return next(differs, min(len(one), len(other)))
+
+
+def holding(count):
+    """The type of keys of so many kinds, and so of kinds."""
+    return np.uint16 if count**3 <= 1 << 16 else np.uint32
+
+
+class Lookup:
+    """What modules do by a key: their left neighbour's kind, their own and that of the right one, as one number.
+
+    Attributes
+    ----------
+    becomes : (k,) uint16 or uint32 array or None
+        The kind that a module becomes by that alone; None where no kind does.
+    every : dict of int to Trial
+    trials : (k,) uint16 array
+        Which of the trials it makes; 0 for none.
+    lists : (k,) uint16 array
+        Which list of choices it tries; 0 for none.
     """
 
     def __init__(self, rules, tables):
         count = len(tables.symbols) + 1
-        self.none = count - 1
-        self.table = np.empty((count, count, count), dtype=np.uint16)
-        self.table[:] = np.arange(count, dtype=np.uint16)[None, :, None]
-        self.lists, known = [], {}
+        becomes = np.empty((count, count, count), dtype=holding(count))
+        becomes[:] = np.arange(count)[None, :, None]
+        lists, numbers, heads, renaming = np.zeros(becomes.shape, dtype=np.uint16), {}, {}, False
         for symbol, choices in rules.choices.items():
             for left, right in product(range(count), repeat=2):
                 tries = self.tries(choices, left, right)
                 if tries and self.renames(tables, symbol, tries[0]):
-                    self.table[left, symbol, right] = tries[0][0].templates[0].symbols[0]
+                    becomes[left, symbol, right] = tries[0][0].templates[0].symbols[0]
+                    renaming = True
                 elif tries:
-                    key = tuple(id(choice) for choice, _ in tries)
-                    if key not in known:
-                        known[key] = count + len(self.lists)
-                        self.lists.append(tries)
-                    self.table[left, symbol, right] = known[key]
+                    number = numbers.setdefault(tuple(choice for choice, _ in tries), len(numbers) + 1)
+                    heads.setdefault(tries[0], {})[number] = tries
+                    lists[left, symbol, right] = number
+        self.becomes = becomes.ravel() if renaming else None
+        self.lists = lists.ravel()
+        self.every = {number: Trial(alike) for number, alike in enumerate(heads.values(), 1)}
+        trials = np.zeros(len(numbers) + 1, dtype=np.uint16)
+        for number, alike in enumerate(heads.values(), 1):
+            trials[list(alike)] = number
+        self.trials = trials[self.lists]
 
     def tries(self, choices, left, right):
         """What a module between two neighbours may take, in order, up to what it surely takes."""

@@ -9,60 +9,79 @@ import numpy as np
 from ...declared.parameters import ShapeError
 from ...formulas.expressions import DRAW
 from .draws import LEVELS, drawn, even
-from .evaluating import BLOCK, values
+from .evaluating import BLOCK, PREDECESSOR
 
-FEW = 32  # kinds of modules, each of which is searched for by itself
+FEW = 4  # kinds of modules, each of which is searched for whether there are any or not
+MORE = 32  # of which there are some, each of which is searched for by itself
 
 
 class Site:
-    """Some modules of a word that may take a production, with the modules of their context.
+    """Some modules of a word that may take a production, and what is known of them and of their neighbours.
 
     Parameters
     ----------
-    state : State
-    rows : dict of int to (m,) int array
-        The places of the predecessors, node 0, and of those nodes of the context whose parameters are asked for.
+    state : State or Pool
+    places : (m,) int array
+        Those of the modules in the word, or their numbers in the pool.
     moment : int
         The step that is made, for random numbers.
-    known : dict of (int, int) to (m,) float array
-        Parameters by node and column, as far as they were asked for.
+    links : Neighbours, Pool or None
+        Of the word, where a production has a context.
     """
 
-    def __init__(self, state, rows, moment, known=()):
-        self.state, self.rows, self.moment, self.known = state, rows, moment, dict(known)
+    def __init__(self, state, places, moment, links=None):
+        self.state, self.places, self.moment, self.links = state, places, moment, links
+        self.size, self.rows, self.known = len(places), {PREDECESSOR: places}, {}
 
     def keep(self, chosen):
         """Those of the modules that are chosen, by rising numbers."""
-        if len(chosen) == len(self.rows[0]):
+        if len(chosen) == self.size:
             return self
-        return Site(self.state, {node: rows.take(chosen) for node, rows in self.rows.items()}, self.moment)
+        return Site(self.state, self.places.take(chosen), self.moment, self.links)
 
-    def values(self, expression, sources, asking=False):
-        """(m,) float array, or one number where it is the same for all: the value of a formula of parameters."""
-        size = len(self.rows[0])
+    def row(self, path):
+        """(m,) int array: the places of the modules of a context to which a path leads, where its modules are there."""
+        if path not in self.rows:
+            steps, at = [], path
+            while at not in self.rows:
+                steps.append(at)
+                at = at.origin
+            found = self.rows[at]
+            for step in reversed(steps):
+                found = linked(self.links, step.link, step.number, found)
+            self.rows[path] = found
+        return self.rows[path]
 
-        def find(name, part):
-            source = sources.get(name)
-            if source is None:
-                drawn = name.startswith(DRAW)
-                return self.even(1 + int(name.removeprefix(DRAW)), part) if drawn else self.state.variables[name]
-            if source in self.known:
-                return self.known[source]
-            node, column = source
-            found = self.state.columns[column].take(self.rows[node][part])
-            if size <= BLOCK:
-                self.known[source] = found
-            return found
+    def values(self, formula, asking=False):
+        """(m,) float array, or one number where it is the same for all: the value of a formula."""
+        if self.size > BLOCK or formula.called:
+            return formula.of(self.found, self.size, asking)
+        known = self.known
+        return formula.run([known[each] if each in known else self.value(each) for each in formula.sources], asking)
 
-        return values(expression, find, size, asking)
+    def value(self, source):
+        """The value of a source, which is kept where it is a parameter."""
+        found = self.found(source)
+        if isinstance(source, tuple):
+            self.known[source] = found
+        return found
+
+    def found(self, source, part=slice(None)):
+        """The value of a source for a part of the modules."""
+        if isinstance(source, tuple):
+            path, column = source
+            return self.state.columns[column].take(self.row(path)[part])
+        if source.startswith(DRAW):
+            return self.even(1 + int(source.removeprefix(DRAW)), part)
+        return self.state.variables[source]
 
     def parameter(self, column, place):
         """A parameter of one of the modules that are replaced."""
-        return self.state.columns[column][self.rows[0][place]]
+        return self.state.columns[column][self.places[place]]
 
     def even(self, draw, part=slice(None)):
         """(m,) float array: random numbers of these modules, or of a part."""
-        return even(self.state.keys[self.rows[0][part]], self.moment, draw)
+        return even(self.state.keys[self.places[part]], self.moment, draw)
 
 
 def taken(state, rules, among, moment, links, check):
@@ -89,32 +108,35 @@ def taken(state, rules, among, moment, links, check):
     for symbol, places in parted(state.symbols, rules.choices):
         waiting = places if state.fresh is None else places[state.fresh[places]]
         waiting = waiting if among is None else waiting[among[waiting]]
-        yield from tried(state, waiting, [(choice, False) for choice in rules.choices[symbol]], moment, links, check)
+        choices = [(choice, False) for choice in rules.choices[symbol]]
+        yield from tried(Site(state, waiting, moment, links), choices, check)
 
 
 def parted(symbols, kinds):
     """The places in a word of the modules of each of some kinds, of those that are there."""
+    if len(kinds) <= FEW:
+        for symbol in kinds:
+            places = (symbols == symbol).nonzero()[0]
+            if len(places):
+                yield symbol, places
+        return
     here = np.bincount(symbols) if len(symbols) else ()
     present = [symbol for symbol in kinds if symbol < len(here) and here[symbol]]
-    if len(present) <= FEW:
+    if len(present) <= MORE:
         yield from ((symbol, np.flatnonzero(symbols == symbol)) for symbol in present)
         return
     order, stops = np.argsort(symbols, kind="stable"), np.cumsum(here)
     yield from ((symbol, order[stops[symbol] - here[symbol] : stops[symbol]]) for symbol in present)
 
 
-def tried(state, waiting, choices, moment, links, check):
+def tried(site, choices, check):
     """The productions that modules take, of some in their order.
 
     Parameters
     ----------
-    state : State or Pool
-    waiting : (m,) int array
-        The places of the modules.
+    site : Site
     choices : list of (Choice, bool)
         What they may take, and whether their contexts are known to match.
-    moment : int
-    links : Neighbours, Pool or None
     check : callable
 
     Yields
@@ -122,36 +144,38 @@ def tried(state, waiting, choices, moment, links, check):
     Template
     Site
         The modules that it replaces.
+
+    Returns
+    -------
+    Site or None
+        The modules that take none of them.
     """
-    site, matches = Site(state, {0: waiting}, moment), ()
     for choice, known in choices:
-        if len(matches):
-            others = np.ones(len(site.rows[0]), dtype=bool)
-            others[matches] = False
-            site = site.keep(others.nonzero()[0])
-        if not len(site.rows[0]):
-            return
+        if not site.size:
+            return None
         check()
-        matches, found = matched(site, choice, links, known, check)
+        matches, found = matched(site, choice, known, check)
         if matches is None:
             yield from shared(found, choice)
-            return
+            return None
         if len(matches):
             yield from shared(found, choice)
+            others = np.ones(site.size, dtype=bool)
+            others[matches] = False
+            site = site.keep(others.nonzero()[0])
+    return site
 
 
-def matched(site, choice, links, known, check):
-    """Which modules of a site match context and condition, None for all of them; and these with their context."""
+def matched(site, choice, known, check):
+    """Which modules of a site match context and condition, None for all of them; and these."""
     found = None
     if choice.nodes and not known:
-        found = context(site, choice, links, check)
+        found = context(site, choice, check)
         site = site.keep(found)
-    if found is not None and not found.size:
-        return found, site
-    if choice.needed:
-        site = with_context(site, choice, links)
+        if not site.size:
+            return found, site
     if choice.condition is not None:
-        holds = answer(site.values(choice.condition, choice.sources, asking=True), choice, site, site.moment)
+        holds = answer(site.values(choice.condition, asking=True), choice, site, site.moment)
         if isinstance(holds, np.ndarray):
             holds = holds.nonzero()[0]
             return holds if found is None else found[holds], site.keep(holds) if len(holds) else site
@@ -164,16 +188,18 @@ def answer(value, choice, modules, moment):
     """Whether the condition of a choice holds: one that asks has answered, one that is a number must be finite."""
     if isinstance(value, (np.ndarray, np.bool_)) and value.dtype == np.bool_:
         return value
-    return finite(value, choice.productions[0], "the condition", modules, moment) != 0
+    if not sound(value):
+        refuse(value, choice.productions[0], "the condition", modules, moment)
+    return value != 0
 
 
-def context(site, choice, links, check):
+def context(site, choice, check):
     """Which modules of a site have the context of a choice."""
-    found, rows = np.arange(len(site.rows[0])), {0: site.rows[0]}
+    found, rows = np.arange(site.size), {0: site.places}
     symbols = site.state.ended
     for node, (origin, link, number, symbol) in enumerate(choice.nodes, 1):
         check()
-        rows[node] = linked(links, link, number, rows[origin])
+        rows[node] = linked(site.links, link, number, rows[origin])
         there = symbols[rows[node]] == symbol
         rows = {other: each for other, each in rows.items() if choice.last[other] > node}
         if not there.all():
@@ -181,20 +207,6 @@ def context(site, choice, links, check):
         if not found.size:
             break
     return found
-
-
-def with_context(site, choice, links):
-    """The same modules with those of their context whose parameters are asked for."""
-    rows, kept = {0: site.rows[0]}, {0: site.rows[0]}
-    for node, (origin, link, number, _) in enumerate(choice.nodes[: max(choice.needed, default=0)], 1):
-        found = linked(links, link, number, rows[origin])
-        if node in choice.needed:
-            kept[node] = found
-        if choice.last[node]:  # whose neighbours are asked for too
-            rows[node] = found
-        if choice.last[origin] == node:
-            del rows[origin]
-    return Site(site.state, kept, site.moment, site.known)
 
 
 def linked(links, link, number, rows):
@@ -205,7 +217,7 @@ def linked(links, link, number, rows):
 def shared(site, choice):
     """The productions of a choice, each with the modules whose random number takes it."""
     if choice.always:
-        if len(site.rows[0]):
+        if site.size:
             yield choice.templates[0], site
         return
     which = drawn(choice.bounds, site.even(0))
@@ -215,8 +227,13 @@ def shared(site, choice):
             yield template, site.keep(chosen)
 
 
-def finite(values, production, what, modules, moment):
-    """The values, or a refusal that says of which production, module and step they are.
+def sound(values):
+    """Whether all values are finite."""
+    return isfinite(np.add.reduce(values, axis=None)) or np.isfinite(values).all()
+
+
+def refuse(values, production, what, modules, moment):
+    """Refuse values that are not all finite, and say of which production, module and step they are.
 
     Parameters
     ----------
@@ -228,8 +245,6 @@ def finite(values, production, what, modules, moment):
         Those that are replaced.
     moment : int
     """
-    if isfinite(np.add.reduce(values, axis=None)) or np.isfinite(values).all():
-        return values
     wrong = np.flatnonzero(~np.isfinite(np.ravel(values)))[0]
     name, count = production.predecessor.symbol
     parameters = [f"{modules.parameter(column, wrong):g}" for column in range(count)]

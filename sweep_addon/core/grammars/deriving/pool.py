@@ -12,8 +12,8 @@ from functools import lru_cache
 import numpy as np
 
 from .draws import root
-from .linking import Lookup, Shape
-from .matching import Site, finite, tried
+from .linking import Lookup, Shape, holding
+from .matching import Site, parted, refuse, sound, tried
 from .stepping import told
 from .tables import RECENT, SEEN
 
@@ -54,7 +54,7 @@ class Pool:
 
     Attributes
     ----------
-    symbols : (n,) uint8 array
+    symbols : (n,) uint16 or uint32 array
         Their kinds; of what is no module, one that there is not.
     left, right : (n,) int array
         The numbers of their neighbours.
@@ -72,13 +72,15 @@ class Pool:
         self.none = len(tables.symbols)
         self.count, self.shapes, self.batches = 2, {}, []
         self.lookup = lru_cache(maxsize=RECENT)(lambda rules: Lookup(rules, tables))
-        self.symbols = np.full(2, self.none, dtype=np.uint8)
+        dtype = holding(self.none + 1)
+        self.symbols = np.full(2, self.none, dtype)
+        self.kinds = np.array(self.none + 1, dtype)  # an array, with which NumPy is quicker than with a number
         self.left, self.right = np.zeros(2, dtype=np.intp), np.zeros(2, dtype=np.intp)
         self.columns = [np.zeros(2) for _ in range(tables.columns)]
         self.keys = np.repeat(root(seed), 2) if tables.random else None
         self.total = len(tables.axiom.symbols)
         self.width = 48 + 16 * tables.columns + 16 * tables.random  # bytes of each, of which room is kept for as many
-        parameters = self.evaluated(tables.axiom, Site(self, {0: np.array([1])}, 0))
+        parameters = self.evaluated(tables.axiom, Site(self, np.array([1]), 0))
         axiom = Batch(tables.axiom, self.shape(tables.axiom), np.array([1]), parameters)
         self.replace(axiom, heir=False)
 
@@ -94,7 +96,7 @@ class Pool:
     def living(self):
         """Modules that are in the pool, by their kinds: their numbers, parameters and keys."""
         symbols = self.symbols[: self.count]
-        for symbol in np.unique(symbols[symbols != self.none]).tolist():
+        for symbol in np.bincount(symbols, minlength=self.none)[: self.none].nonzero()[0].tolist():
             nodes = np.flatnonzero(symbols == symbol)
             columns = [column[nodes] for column in self.columns[: self.tables.symbols[symbol][1]]]
             yield symbol, nodes, columns, None if self.keys is None else self.keys[nodes]
@@ -106,48 +108,56 @@ class Pool:
 
     def evaluated(self, template, site):
         """The parameters of a successor, by place and column."""
-        values = {(place, column): value for place, column, value in template.fixed}
-        known = {}
-        for place, column, formula in template.formulas:
-            if formula.program not in known:
-                found = site.values(formula, template.sources)
-                said = told(template, place, column)
-                known[formula.program] = finite(found, template.rule, said, site, site.moment)
-            values[place, column] = known[formula.program]
+        values = dict(template.fixed)
+        for formula, targets in template.changes:
+            value = site.values(formula)
+            if not (formula.copies or sound(value)):
+                refuse(value, template.rule, told(template, *targets[0]), site, site.moment)
+            values.update(dict.fromkeys(targets, value))
         return values
 
     def step(self, rules, generation, moment):
         """Replace all modules at once."""
         lookup = self.lookup(rules)
-        symbols = self.symbols[: self.count]
-        size = self.none + 1
-        key = symbols.take(self.left[: self.count]).astype(np.intp)
-        key *= size
-        key += symbols
-        key *= size
-        key += symbols.take(self.right[: self.count])
-        code = lookup.table.take(key)
-        busy = (code > self.none).nonzero()[0]
+        key = self.key()
         changes, batches = [], []
-        of_busy = code.take(busy)
-        for number in np.bincount(of_busy).nonzero()[0].tolist():
-            waiting = busy.take((of_busy == number).nonzero()[0])
-            for template, site in tried(self, waiting, lookup.lists[number - size], moment, self, self.meter.check):
-                values = self.evaluated(template, site)
-                if len(template.symbols) == 1:
-                    changes.append((site.rows[0], template.symbols[0], values))
-                else:
-                    batches.append(Batch(template, self.shape(template), site.rows[0], values))
+        for template, site in self.taken(lookup, key, moment):
+            values = self.evaluated(template, site)
+            if len(template.symbols) == 1:
+                changes.append((site.places, template.symbols[0], values))
+            else:
+                batches.append(Batch(template, self.shape(template), site.places, values))
         self.total += sum(len(batch.nodes) * (len(batch.template.symbols) - 1) for batch in batches)
         self.meter.room(self.total, generation)
         self.meter.nodes(self.count, self.width, generation)
-        code[busy] = symbols.take(busy)
-        self.symbols[: self.count] = code
+        if lookup.becomes is not None:
+            lookup.becomes.take(key, None, self.symbols[: self.count], "clip")
         for nodes, symbol, values in changes:
             self.symbols[nodes] = symbol
-            self.set_columns(nodes, 0, symbol, values)
+            for (_, column), value in values.items():
+                self.columns[column][nodes] = value
         for batch in batches:
             self.replace(batch, heir=self.tables.kind[self.symbols[batch.nodes[0]]] == SEEN)
+
+    def key(self):
+        """(n,) int array: the kinds of the left neighbour of each module, its own and that of the right one."""
+        symbols = self.symbols[: self.count]
+        key = symbols.take(self.left[: self.count])
+        key *= self.kinds
+        key += symbols
+        key *= self.kinds
+        key += symbols.take(self.right[: self.count])
+        return key.astype(np.intp)
+
+    def taken(self, lookup, key, moment):
+        """The productions that modules take, each with these."""
+        check = self.meter.check
+        for number, nodes in parted(lookup.trials.take(key), lookup.every):
+            trial = lookup.every[number]
+            left = yield from tried(Site(self, nodes, moment, self), trial.choices, check)
+            if left and trial.rest:
+                for number, chosen in parted(lookup.lists.take(key.take(left.places)), trial.rest):
+                    yield from tried(left.keep(chosen), trial.rest[number], check)
 
     def set_columns(self, nodes, place, symbol, values):
         for column in range(self.tables.symbols[symbol][1]):
@@ -157,10 +167,9 @@ class Pool:
         """Make room for so many more modules."""
         if self.count + count > len(self.symbols):
             size = 2 * (self.count + count)
-            grow = ["symbols", "left", "right", *(["keys"] if self.keys is not None else [])]
-            for name in grow:
-                setattr(self, name, np.resize(getattr(self, name), size))
-            self.columns = [np.resize(column, size) for column in self.columns]
+            for name in ("symbols", "left", "right", *(["keys"] if self.keys is not None else [])):
+                setattr(self, name, longer(getattr(self, name), size))
+            self.columns = [longer(column, size) for column in self.columns]
 
     def replace(self, batch, heir):
         """Put the successor of modules into the pool."""
@@ -172,24 +181,36 @@ class Pool:
             batch.children[place] = self.count
             where[place] = slice(self.count, self.count + m)
             self.count += m
-        numbers = {place: at if at is nodes else np.arange(at.start, at.stop) for place, at in where.items()}
-        left, right = self.left[nodes], self.right[nodes]
         keys = batch.keys = None if self.keys is None else self.keys[nodes]
         if not heir:
             self.symbols[nodes] = self.none
-            left, right = NONE, NONE
-        elif shape.first != shape.heir:
-            pointing = np.flatnonzero(self.right[left] == nodes)
-            self.right[left[pointing]] = numbers[shape.first][pointing]
         for place, at in where.items():
             symbol = template.symbols[place]
             self.symbols[at] = symbol
             self.set_columns(at, place, symbol, batch.values)
             if keys is not None:
                 self.keys[at] = template.child_keys(keys, place)
-            before, after = shape.links.get(place, (None, None))
+        if not (heir and shape.alone):
+            self.link(shape, nodes, where, heir)
+        batch.inherits = heir
+        self.batches.append(batch)
+
+    def link(self, shape, nodes, where, heir):
+        """Let modules that are new in the pool, and those beside them, know their neighbours."""
+        numbers = {place: at if at is nodes else np.arange(at.start, at.stop) for place, at in where.items()}
+        left, right = (self.left[nodes], self.right[nodes]) if heir else (NONE, NONE)
+        if heir and shape.first != shape.heir:
+            pointing = np.flatnonzero(self.right[left] == nodes)
+            self.right[left[pointing]] = numbers[shape.first][pointing]
+        for place, (before, after) in shape.links.items():
+            at = where[place]
             self.left[at] = NONE if before is None else left if before == -1 else numbers[before]
             if not heir or place != shape.heir:  # whose right neighbour stays, and may have pointed to its successor
                 self.right[at] = NONE if after is None else right if after == -1 else numbers[after]
-        batch.inherits = heir
-        self.batches.append(batch)
+
+
+def longer(array, size):
+    """An array with room for more: zeros."""
+    found = np.zeros(size, dtype=array.dtype)
+    found[: len(array)] = array
+    return found

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...formulas.expressions import DRAW
 from .draws import even, mixed
-from .matching import finite, taken
+from .matching import refuse, sound, taken
 from .neighbours import Neighbours, removed
 from .subsystems import Regions
 
@@ -55,11 +55,14 @@ def first(tables, key, variables=None):
     keys = mixed(key + template.salts) if tables.random else None
     births = np.zeros(len(template.symbols), np.int32)
     state = State(np.array(template.symbols, dtype=tables.dtype), columns, keys, births, variables=variables)
-    for place, column, value in template.fixed:
+    for (place, column), value in template.fixed.items():
         columns[column][place] = value
-    for place, column, formula in template.formulas:  # of random numbers and variables alone
-        drawn = {n: even(key, 0, 1 + int(n.removeprefix(DRAW)))[0] for n in formula.names if n.startswith(DRAW)}
-        columns[column][place] = formula.run(state.variables | drawn)
+    for formula, targets in template.formulas:  # of random numbers and variables alone
+        names = formula.expression.names
+        drawn = {n: even(key, 0, 1 + int(n.removeprefix(DRAW)))[0] for n in names if n.startswith(DRAW)}
+        value = formula.expression.run(state.variables | drawn)
+        for place, column in targets:
+            columns[column][place] = value
     return state
 
 
@@ -98,8 +101,8 @@ def step(state, tables, rules, moment, birth, meter, cutting=True, systems=None)
     sizes = np.ones(len(state), dtype=np.intp)
     for template, site in (each for share in shares for each in taken(state, *share, moment, links, meter.check)):
         if gone is not None:
-            site = site.keep(np.flatnonzero(~gone[site.rows[0]]))
-        sizes[site.rows[0]] = len(template.symbols)
+            site = site.keep(np.flatnonzero(~gone[site.places]))
+        sizes[site.places] = len(template.symbols)
         replaced.append((template, site))
     if gone is not None:
         sizes[gone] = 0
@@ -122,7 +125,7 @@ def written(state, replaced, gone, starts, total, moment, birth):
 
     stays = np.ones(len(state), dtype=bool) if gone is None else ~gone
     for _, site in replaced:
-        stays[site.rows[0]] = False
+        stays[site.places] = False
     stays = np.flatnonzero(stays)
     to = starts[stays]
     symbols[to] = state.symbols[stays]
@@ -136,25 +139,26 @@ def written(state, replaced, gone, starts, total, moment, birth):
         fresh[to] = False
 
     for template, site in replaced:
-        at = starts[site.rows[0]]
+        at = starts[site.places]
         put(symbols, at, np.array(template.symbols, dtype=symbols.dtype))
-        for place, column, value in template.fixed:
+        for (place, column), value in template.fixed.items():
             columns[column][place:][at] = value
-        known = {}
-        for place, column, formula in template.formulas:
-            if formula.program not in known:
-                value = site.values(formula, template.sources)
-                said = told(template, place, column)
-                known[formula.program] = finite(value, template.rule, said, site, site.moment)
-            columns[column][place:][at] = known[formula.program]
+        for formula, targets in template.formulas:
+            value = site.values(formula)
+            if not sound(value):
+                refuse(value, template.rule, told(template, *targets[0]), site, site.moment)
+            for place, column in targets:
+                columns[column][place:][at] = value
         if keys is not None:
-            put_keys(keys, at, state.keys[site.rows[0]], template)
+            put_keys(keys, at, state.keys[site.places], template)
     return State(symbols, columns, keys, births, fresh, state.variables)
 
 
 def put(array, cursor, row):
     """Write a row from each place on: its items at once, as overlapping windows of bytes."""
-    if len(cursor) and len(row):
+    if len(row) == 1:
+        array[cursor] = row[0]
+    elif len(cursor) and len(row):
         windows = np.ndarray((len(array) - len(row) + 1,), f"V{row.nbytes}", array, 0, (array.itemsize,))
         windows[cursor] = row.view(f"V{row.nbytes}")[0]
 

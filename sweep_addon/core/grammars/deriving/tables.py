@@ -7,10 +7,10 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ...formulas.expressions import DRAW
 from ..text.grouping import ROUNDING, grouped
 from ..text.modules import CLOSE, ENVIRONMENT, OPEN, QUERIES
 from .draws import mix, salts
+from .evaluating import PREDECESSOR, Formula, Path
 from .statements import names
 
 CUT = "%"
@@ -54,7 +54,7 @@ class Tables:
 
     def __init__(self, system):
         self.system = system
-        self.numbers, self.symbols = {}, []
+        self.numbers, self.symbols, self.paths = {}, [], {}
         sections = [
             system.productions,
             system.decomposition,
@@ -91,6 +91,10 @@ class Tables:
             self.numbers[module.symbol] = len(self.symbols)
             self.symbols.append(module.symbol)
         return self.numbers[module.symbol]
+
+    def path(self, origin, link, number):
+        """The path that goes on so from another."""
+        return self.paths.setdefault((origin, link, number), Path(origin, link, number))
 
     def kinds(self, sections):
         """(s + 1,) uint8 array: what each module is to contexts."""
@@ -154,7 +158,7 @@ class Choice:
     nodes : list of (int, str, int, int)
         The modules of the context: from which node, by which link, the so-manieth, and which module must be there. Node
         0 is the predecessor.
-    condition : Expression or None
+    condition : Formula or None
     bounds : (k,) float array
         Up to which random number each production is taken.
     templates : list of Template
@@ -167,17 +171,13 @@ class Choice:
         self.last = [0] * (1 + len(self.nodes))  # which node is the last that is next to each
         for node, (origin, *_) in enumerate(self.nodes, 1):
             self.last[origin] = node
-        self.condition = first.condition
+        self.condition = None if first.condition is None else Formula(first.condition, sources(first, tables))
         self.bounds = np.cumsum([rule.chance for rule in group])
         if abs(self.bounds[-1] - 1) < ROUNDING:
             self.bounds[-1] = 1.0
         self.always = len(group) == 1 and self.bounds[-1] == 1
         self.templates = [Template(rule.successor, tables, rule) for rule in group]
-        self.sources = sources(first)
-        formulas = [self.condition] * (self.condition is not None)
-        formulas += [p for template in self.templates for _, _, p in template.formulas]
-        self.needed = {self.sources[name][0] for p in formulas for name in p.names if name in self.sources} - {0}
-        drawing = self.condition is not None and any(name.startswith(DRAW) for name in self.condition.names)
+        drawing = self.condition is not None and self.condition.random
         self.random = not self.always or drawing or any(template.random for template in self.templates)
         self.certain = self.condition is None and not self.nodes and self.always
 
@@ -227,15 +227,23 @@ def axial(patterns):
     return found
 
 
-def sources(rule):
-    """Of which node and column each parameter of a production is."""
-    patterns = [rule.predecessor, *(pattern for *_, pattern in linked(rule))]
-    return {name: (node, column) for node, p in enumerate(patterns) for column, name in enumerate(p.parameters)}
+def sources(rule, tables):
+    """By which path, and in which column, each parameter of a production is."""
+    patterns, paths = [rule.predecessor], [PREDECESSOR]
+    for origin, link, number, pattern in linked(rule):
+        patterns.append(pattern)
+        paths.append(tables.path(paths[origin], link, number))
+    return {name: (paths[node], column) for node, p in enumerate(patterns) for column, name in enumerate(p.parameters)}
 
 
 def nodes(rule, tables):
     """The nodes of a context."""
     return [(origin, link, number, tables.number(pattern)) for origin, link, number, pattern in linked(rule)]
+
+
+def stays(formula, targets):
+    """Whether all that a formula does is to hand the parameter of a module on where it was."""
+    return all(formula.copies == (PREDECESSOR, column) for _, column in targets)
 
 
 class Template:
@@ -244,10 +252,12 @@ class Template:
     Attributes
     ----------
     symbols : list of int
-    fixed : list of (int, int, float)
-        Place, column and value of parameters that are the same everywhere.
-    formulas : list of (int, int, Expression)
-        Place, column and formula of the others.
+    fixed : dict of (int, int) to float
+        Parameters that are the same everywhere, by place and column.
+    formulas : list of (Formula, list of (int, int))
+        The others: each formula with its places and columns.
+    changes : list of (Formula, list of (int, int))
+        The same without parameters that a module has already which it is the only one to replace.
     random : bool
         Whether formulas draw random numbers.
     """
@@ -256,13 +266,18 @@ class Template:
         self.symbols = [tables.number(module) for module in modules]
         self.names = [module.name for module in modules]
         self.rule = rule
-        self.sources = sources(rule) if rule else {}
         each = [(k, c, p) for k, module in enumerate(modules) for c, p in enumerate(module.parameters)]
         fixed = [(k, c, p) for k, c, p in each if not p.names]
         values = {id(p): float(p.run({})) for p in {id(p): p for _, _, p in fixed}.values()}  # one for all alike
-        self.fixed = [(k, c, values[id(p)]) for k, c, p in fixed]
-        self.formulas = [(k, c, p) for k, c, p in each if p.names]
-        self.random = any(name.startswith(DRAW) for _, _, p in self.formulas for name in p.names)
+        self.fixed = {(k, c): values[id(p)] for k, c, p in fixed}
+        known = sources(rule, tables) if rule else {}
+        found = {}
+        for k, c, p in each:
+            if p.names:
+                found.setdefault(p.program, (Formula(p, known), []))[1].append((k, c))
+        self.formulas = list(found.values())
+        self.changes = self.formulas if len(modules) > 1 else [each for each in self.formulas if not stays(*each)]
+        self.random = any(formula.random for formula, _ in self.formulas)
 
     @cached_property
     def salts(self):
