@@ -9,6 +9,7 @@ import os
 import re
 import shutil
 import subprocess
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,6 +65,15 @@ def real():
         debian.make()
         found = find()
     return found if found and found.real else refuse()
+
+
+def denoising():
+    """The wheel, made if need be, unless another is asked for: Debian's Blender cannot denoise what it renders."""
+    if not (os.environ.get("SWEEP_BLENDER") or os.environ.get("BLENDER")):
+        with suppress(SetupError):
+            venvs.made(venvs.BLENDER)
+            return wheel()
+    return some()
 
 
 def refuse():
