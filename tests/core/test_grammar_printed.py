@@ -6,6 +6,7 @@ import pytest
 from test_grammar_conformance import ENTRIES
 from test_grammar_conformance import text as typed_out
 
+import sweep_addon as sw
 from sweep_addon.core.grammars import GrammarError, LSystem
 
 TYPED = "#generations 5\n#angle 25.7\naxiom: X\nX -> F[+X]F[-X]+X\nF -> FF\n"  # figure 1.24d
@@ -19,6 +20,68 @@ PRINTED = [
 @pytest.mark.parametrize("text", PRINTED)
 def test_printed_text_is_the_typed_one(text):
     assert str(LSystem.parse(text)) == str(LSystem.parse(TYPED))
+
+
+UNDER_FIGURES = [
+    ("n=2, δ=90◦\nF−F−F−F\nF → F−F+F+FF−F−F+F", "#generations 2\n#angle 90\naxiom: F-F-F-F\nF -> F-F+F+FF-F-F+F"),
+    ("n=2,δ=90∘\n−L\nL → LF+RFR\nR → −LF", "#generations 2\n#angle 90\naxiom: -L\nL -> LF+RFR\nR -> -LF"),
+    ("#ignore b\nbaaa\nb < a → b\nb → a", "#ignore b\naxiom: baaa\nb < a -> b\nb -> a"),
+    ("ω : F\np : F → FF−F", "axiom: F\nF -> FF-F"),
+    ("ω : F\np: F -> F-\n  F", "axiom: F\nF -> F-F"),
+    ("ω : F\np:F→F−F", "axiom: F\nF -> F-F"),
+    ("ω : A(1)\np : A(x) : x < 3 -> A(x+1)", "axiom: A(1)\nA(x) : x < 3 -> A(x+1)"),
+    ("ω : A(2)\np1 : A(x) → A(x×2·x)", "axiom: A(2)\nA(x) -> A(x*2*x)"),
+]
+
+
+@pytest.mark.parametrize(("printed", "typed"), UNDER_FIGURES)
+def test_an_axiom_without_a_name_and_an_only_production_as_under_figures(printed, typed):
+    assert str(LSystem.parse(printed)) == str(LSystem.parse(typed))
+
+
+def test_names_may_be_greek_and_have_subscripts():
+    printed = "#define α₁ 10◦\n#define ρ 0.5 /* ratio */\nω : A(1,60)\np₁ : A(s,φ) : s>ρ → F(s)[&(α₁)A(s∗ρ,φ)]+(φ)"
+    typed = "#define a 10\n#define r 0.5\naxiom: A(1,60)\nA(s,f) : s>r -> F(s)[&(a)A(s*r,f)]+(f)"
+    system = LSystem.parse(printed)
+    assert str(system.derive(2)) == str(LSystem.parse(typed).derive(2))
+    assert str(LSystem.parse(str(system))) == str(system)
+    assert [constant.name for constant in system.constants] == ["α1", "ρ"]
+
+
+def test_a_constant_with_a_greek_name_is_kept_by_a_job():
+    plant = sw.Plant("#define α 10\naxiom: F[+(α)F]", constants={"α": 20})
+    assert sw.load(sw.dump(plant)) == plant
+    told = sw.dump(plant).replace('"α" = 20.0', '"β" = 20.0')
+    with pytest.raises(sw.ShapeError, match="constants.β: is no constant of the text, which has α"):
+        sw.load(told)
+
+
+def test_the_tropism_under_a_table_is_told_how_it_is_written():
+    with pytest.raises(GrammarError, match="a tropism is written '#tropism 0 0 -1 0.22'"):
+        LSystem.parse("ω : F\nT=(0.00,−1.00,0.00), e=0.22")
+
+
+def test_a_module_p_with_a_condition_is_no_label():
+    assert str(LSystem.parse("#define c 2\naxiom: p\np : c > 1 -> q").derive(1)) == "q"
+
+
+WEEPING = """ω : !(1)F(200)/(45)A
+p1 : A : ∗ → !(1.7)F(50)[&(19)F(50)A]/(95)
+[&(19)F(50)A]/(132)[&(19)F(50)A]
+p2 : F(l) : ∗ → F(l∗1.1)
+p3 : !(w) : ∗ → !(w∗1.7)"""
+
+
+def test_what_has_no_number_among_numbered_productions_is_the_rest_of_one():
+    typed = WEEPING.replace("/(95)\n", "/(95)")
+    assert str(LSystem.parse(WEEPING).derive(2)) == str(LSystem.parse(typed).derive(2))
+    assert len(LSystem.parse(WEEPING).derive(1)) == 22
+
+
+@pytest.mark.parametrize("text", ["F → F+F\nF[", "n=2\nF", "axiom F\nF → F", "a = b\nF → F", "F\nF → G\nF"])
+def test_what_might_be_a_mistake_is_no_axiom_and_no_rest(text):
+    with pytest.raises(GrammarError):
+        LSystem.parse(text)
 
 
 def test_the_books_condition_that_always_holds():

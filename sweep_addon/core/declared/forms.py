@@ -163,13 +163,18 @@ def toml(table):
 
     def lines(table, path=""):
         inner = {key: value for key, value in table.items() if holds_tables(value)}
-        yield from (f"{key} = {tidy(table[key], scalar, len(key) + 3)}" for key in table if key not in inner)
+        yield from (f"{bare(key)} = {tidy(table[key], scalar, len(key) + 3)}" for key in table if key not in inner)
         for key, value in inner.items():
             head, tables = (f"[{path}{key}]", [value]) if isinstance(value, dict) else (f"[[{path}{key}]]", value)
             for each in tables:
                 yield from ("", head, *lines(each, f"{path}{key}."))
 
     return "\n".join(lines(table)) + "\n"
+
+
+def bare(key):
+    """A key as TOML has it, in quotes where it has other letters than those of English."""
+    return key if key.isascii() else scalar(key)
 
 
 def holds_tables(value):

@@ -24,8 +24,9 @@ DEEPEST = 100  # brackets, signs and powers inside one another
 MOST_NAMES = 20  # that a refusal lists
 DRAW = "draw "  # how the name of a random number begins; no text can say it
 
+GREEK = "Α-Ωα-ω"  # letters that names may have too, as angles have in books
 TOKEN = re.compile(
-    r"(?P<space>\s+)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)"
+    rf"(?P<space>\s+)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_{GREEK}][\w{GREEK}]*)"
     r"|(?P<symbol>\*\*|&&|\|\||[<>=!]=|[-+*/%^<>!(),&|=])|(?P<nothing>.)",
     re.ASCII | re.DOTALL,
 )

@@ -14,6 +14,10 @@ KNOWN = (  # how lines begin in the texts of other programs, and what to do ther
     (re.compile(r"(?:module|produce|from|import|def)\s"), "texts of L-Py begin with a line '#dialect lpy'"),
     (re.compile(r"\w+\s*\{$"), "texts of Fractint begin with a line '#dialect fractint'"),
     (
+        re.compile(r"T\s*=\s*\("),
+        "a tropism is written '#tropism 0 0 -1 0.22', its direction with z upwards, where the book has y, and e",
+    ),
+    (
         re.compile(r"\S\s*(?:\([^()]*\))?\s*=(?!=)"),
         "rules with '=' are Houdini's, '#dialect houdini', or Fractint's, '#dialect fractint'",
     ),

@@ -9,7 +9,7 @@ import re
 
 from .passages import Lines, Passage
 from .printed import legend
-from .productions import ARROW
+from .productions import ARROW, LABEL
 
 BLOCK = re.compile(r"\s*((?:start|end)(?: each)?)\s*:", re.IGNORECASE)
 SECTION = re.compile(
@@ -60,6 +60,7 @@ class Whole:
         self.word, self.comment, self.parts = word, comment, []
         self.goes_on = not word and begins_a_word(passage)
         self.opened = {"(": 0, "[": 0}
+        self.numbered = bool(LABEL.match(passage.text))
         self.arrow = not word and bool(SECTION.match(passage.text))  # an axiom needs none
         self.take(passage)
 
@@ -71,13 +72,17 @@ class Whole:
             self.opened[opening] += passage.text.count(opening) - passage.text.count(closing)
 
     def takes(self, word, passage):
-        """Whether the next line is the rest of this one: where that is unfinished, or the next stands further right."""
+        """Whether the next line is the rest of this one: where that is unfinished, or the next stands further right.
+
+        Where productions are numbered, what has neither a number nor an arrow is the rest of one too.
+        """
         if word or not self.goes_on or SECTION.match(passage.text) or BLOCK.match(passage.text) or legend(passage.text):
             return False
         further = indented(passage) > indented(self.parts[0])
         if ARROW in passage.text:
             return further and not self.arrow and passage.text.startswith(SIGNS)
-        return further or max(self.opened.values()) > 0 or self.parts[-1].text.endswith(ARROW)
+        unfinished = max(self.opened.values()) > 0 or self.parts[-1].text.endswith(ARROW)
+        return further or unfinished or self.numbered and self.arrow and not LABEL.match(passage.text)
 
     def line(self):
         """The whole as one line."""

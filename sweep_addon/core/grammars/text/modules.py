@@ -11,7 +11,7 @@ from math import isfinite
 from typing import NamedTuple
 
 from ...declared.frozen import frozen
-from ...formulas.expressions import Expression
+from ...formulas.expressions import GREEK, Expression
 from .passages import Passage, shown
 from .vocabulary import draws, formula
 
@@ -21,7 +21,7 @@ OPEN, CLOSE = "[", "]"
 NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32
 BLANKS = re.compile(r"(?<!\w)\s+|\s+(?!\w)", re.ASCII)  # all that part no words
-NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+NAME = re.compile(rf"[A-Za-z_{GREEK}][\w{GREEK}]*", re.ASCII)
 ORGAN = re.compile(r"~([a-z]{2,}\w*)", re.ASCII)  # names of organs; capitals follow each other without blanks
 UNSET = Expression("0", (), (0.0,))  # of a query, until a turtle fills it in
 

@@ -6,10 +6,13 @@ import re
 
 from .directives import DIRECTIVE, WORDS
 
-SIGNS = str.maketrans("−–∗∧∼˜’‘′⟨⟩〈〉ε", "--*^~~'''<><>*")
+SIGNS = str.maketrans("−–∗×·⋅∧∼˜’‘′⟨⟩〈〉ε◦º∘˚₀₁₂₃₄₅₆₇₈₉", "--****^~~'''<><>*°°°°0123456789")
 COMPARED = {"≤": "<=", "≥": ">=", "≠": "!="}
 WIDER = re.compile("[ \u00a0]?([→≤≥≠])")  # a blank gives way, so that what follows keeps its column
 CHANCE = re.compile(r"->\s*+\(([^()]*+)\)")  # over its arrow in print; a word begins with no bracket
+UNNUMBERED = re.compile(  # the label of an only production; a module p with a condition compares something
+    r"^(\s*+)(p\s*+: ?)(?=\s*+[^\s<>=!&|:\d]++\s*+(?:->|→|-\()|[^→=\d:]*+→|[^:<>=→]*+:)"
+)
 REMARK = re.compile(r"#|/\*")
 LEGEND = re.compile(r"\s*+(?:n\s*+=\s*+(\d++))?\s*+,?\s*+(?:(?:δ|delta)\s*+=\s*+(-?[\d.]++)\s*+°?)?\s*+")
 
@@ -21,10 +24,13 @@ def typed(line):
     'p1 : F(s) : s>= 3-> F[+F]F[-F]F  # → a plant'
     >>> typed("#define q c − p /* the rest */"), typed("F →(.33) F[−F]")
     ('#define q c - p #  the rest ', 'F-(.33)-> F[-F]')
+    >>> typed("p : F → F−F"), typed("p : x>1 -> q")
+    ('p1: F-> F-F', 'p : x>1 -> q')
     """
     match = DIRECTIVE.match(line)
     start = match.end() if match and match[1] in WORDS else 0
     code, mark, comment = remarked(line[start:]).partition("#")
+    code = UNNUMBERED.sub(lambda match: f"{match[1]}{'p1:' if len(match[2]) > 2 else '':{len(match[2])}}", code)
     if not code.isascii():
         wider = WIDER.sub(lambda match: COMPARED.get(match[1], "->"), code.translate(SIGNS))
         code = wider.replace("\u00a0", " ")

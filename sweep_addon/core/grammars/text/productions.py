@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from ...declared.frozen import frozen
-from ...formulas.expressions import Expression
+from ...formulas.expressions import GREEK, Expression
 from .elsewhere import hint
 from .modules import CLOSE, NAME, OPEN, Alphabet, Module, Pattern, paired, undeclared
 from .passages import Passage, shown
@@ -15,7 +15,7 @@ from .vocabulary import draws, formula, value, words
 ARROW, EMPTY = "->", "*"
 ALWAYS = "*"  # the book's condition where there is none
 ANY = "*"  # its context where there is none
-NAMED = re.compile(r"(?<![\w.])[A-Za-z_]", re.ASCII)  # the e of a number is no name
+NAMED = re.compile(rf"(?<![\w.])[A-Za-z_{GREEK}]", re.ASCII)  # the e of a number is no name
 FRACTION = re.compile(r"\S\s*[01]?\.\d+$", re.ASCII)  # behind a module
 LABEL = re.compile(r"(p_?\d+)\s*:", re.ASCII)  # as the book numbers its productions
 

@@ -13,19 +13,21 @@ from ..dialects import OTHERS, placed, translated
 from . import directives
 from .constants import constants
 from .directives import MOST_GENERATIONS, MOST_NAMES, directive
+from .elsewhere import hint
 from .going_on import AXIOM, SECTION, blocked, joined
 from .grouping import check_probabilities
 from .modules import NAME, Alphabet
 from .passages import ENDED, Passage, PassageError, shown
 from .printed import legend, typed
 from .problems import GrammarError, Problem
-from .productions import production
+from .productions import ARROW, production
 from .vocabulary import value, without_degree, words
 
 LONGEST = 1_000_000  # characters of a text
 MOST_LINES = 20_000
 MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
+AXIOM_WORD = re.compile(r"axiom\b", re.IGNORECASE)
 BREAK = re.compile(r"\r\n|\r|\n")
 
 
@@ -87,7 +89,7 @@ class Reader:
         for word, passage, _ in self.lines:
             if word:
                 self.attempt(getattr(self, f"tell_{word}", self.number), passage, word)
-        self.section = ("productions", 0)
+        self.section, self.unnamed = ("productions", 0), self.unnamed_axiom()
         for word, passage, _ in self.lines:
             if not word:
                 self.attempt(self.line, passage)
@@ -98,6 +100,16 @@ class Reader:
         if self.problems:
             raise GrammarError(self.problems)
         return self.told | self.sections() | {"following": tuple(self.following.values())}
+
+    def unnamed_axiom(self):
+        """The passage that is the axiom though nothing says so: the first line above productions, as under a figure."""
+        lines = [passage for word, passage, _ in self.lines if not word and passage.text and not legend(passage.text)]
+        named = any((match := SECTION.match(passage.text)) and match[1].lower() in AXIOM for passage in lines)
+        if named or not any(ARROW in passage.text for passage in lines[1:]):
+            return None
+        first = lines[0]
+        known = SECTION.match(first.text) or blocked(first) or hint(first.text) or AXIOM_WORD.match(first.text)
+        return None if known or ARROW in first.text else first
 
     def assigned(self):
         """The variables that statements somewhere give values to."""
@@ -178,6 +190,8 @@ class Reader:
             self.told[word] = self.told.get(word, ()) + made
             return None
         match, printed = SECTION.match(passage.text), legend(passage.text)
+        if passage is self.unnamed:
+            return self.tell_axiom(passage)
         if match:
             passage = self.sectioned(match, passage)
         if printed:
@@ -192,6 +206,11 @@ class Reader:
                 start = passage.text.index(found)
                 self.attempt(getattr(self, f"tell_{word}", self.number), passage.part(start, start + len(found)), word)
 
+    def tell_axiom(self, passage):
+        """The modules of the axiom."""
+        self.told["axiom"] = ()  # there is one, right or wrong
+        self.told["axiom"], _ = self.alphabet.word(passage, self.variables, words(self.constants))
+
     def sectioned(self, match, passage):
         """What is left of a line that begins with the name of a section."""
         kind, *number = match.group(1).lower().replace("interpretation", "homomorphism").split()
@@ -201,9 +220,7 @@ class Reader:
                 passage.refuse("one axiom", 0, "a second one")
             if not rest.text:
                 rest.refuse("the modules of the axiom")
-            self.told["axiom"] = ()  # there is one, right or wrong
-            self.told["axiom"], _ = self.alphabet.word(rest, self.variables, words(self.constants))
-            return None
+            return self.tell_axiom(rest)
         if kind == "maximum":
             if self.section[0] not in ("decomposition", "homomorphism"):
                 passage.refuse("a depth in a decomposition or homomorphism", 0, shown(match.group()))
