@@ -9,6 +9,7 @@ growing, objects, texts = later("core.shapes.growing"), later("bridge.objects"),
 
 MOST_PROBLEMS = 6  # that are shown; one is mended at a time
 MOST_CONSTANTS = 50  # that are shown
+BESIDE = 22  # letters of a line of the text, beside its number and the button that goes there
 UNITS = {"angle": " (deg)"}
 
 
@@ -29,7 +30,7 @@ def draw_text(layout, group, say):
         box = layout.box().column(align=True)
         box.alert = True
         head = box.row()
-        head.label(text=f"Line {problem.line}: {problem.source.strip()}", icon="ERROR")
+        head.label(text=f"Line {problem.line}: {problem.around(BESIDE)}", icon="ERROR")
         go = head.operator("object.sweep_grammar_edit", text="", icon="VIEWZOOM", emboss=False)
         go.line, go.column = problem.line, problem.column
         say(box, f"Column {problem.column}: expected {problem.expected}, found {problem.found}", "BLANK1")

@@ -322,7 +322,7 @@ def test_polygons_and_organs_are_faces_and_points_with_attributes(scene):
     ob = plant("#angle 90\n#names leaf\naxiom: F'{f+f+f+f}~leaf(0.5)", generations=0)
     assert len(ob.data.polygons) == 1 and ob.data.polygons[0].material_index == 1
     organ = [value.value for value in ob.data.attributes["organ"].data]
-    assert organ.count(1) == 1 and "1 leaf (1)" in ob.data.sweep.told
+    assert organ.count(1) == 1 and "1 = leaf (1 of it)" in ob.data.sweep.told
     assert ob.data.attributes["size"].data[organ.index(1)].value == 0.5
     turned = ob.data.attributes["rotation"].data[organ.index(1)].value
     quarter = (0.5**0.5, 0.5**0.5, 0, 0)  # about x: z to -y, where it heads; its negative is the same rotation

@@ -246,7 +246,7 @@ def test_an_l_system_shows_its_text_its_size_and_its_constants(scene):
     ob = sw.to_object(sw.Plant())
     calls = drawn(ob)
     assert {"system_text", "object.sweep_grammar_edit", "object.sweep_grammar_reset"} <= set(calls)
-    assert "7,162 modules; one step more makes 14,330" in said(calls)
+    assert "7,162 modules; next step 14,330" in said(calls)
     assert [call for call in calls if call.startswith("[")] == [f'["{name}"]' for name in "r1 r2 a0 a2 d wr".split()]
     assert not {"object.sweep_classify", "object.sweep_find_self_intersections"} & set(calls)
     for p in parameters(sw.Plant):

@@ -141,7 +141,7 @@ def test_a_polygon_is_a_face_and_each_organ_a_point(sides):
     assert organ[organ > 0].tolist() == [1, 1, 2] and size[organ > 0].tolist() == [0.5, 1, 1]
     assert colour[organ > 0].tolist() == [4, 4, 4]
     assert mesh.vertices[organ > 0].tolist() == [[1, 0, 0], [2, 0, 0], [2, 0, 0]]
-    assert mesh.told == ("Organs are points, by their attribute: 1 leaf (2), 2 A (1).",)
+    assert mesh.told == ("Organs are points. Attribute organ: 1 = leaf (2 of it), 2 = A (1 of it).",)
 
 
 def test_the_colour_of_a_segment_is_the_number_of_its_material_slot():

@@ -84,9 +84,14 @@ def test_a_word_beyond_the_budget_is_refused_with_its_size():
         ShapeError, match="^generations: must make at most 2,000,000 modules, but 40 make 1,099,511,627,776$"
     ):
         doubling.mesh()
-    assert not doubling.make_solid and growing.size(doubling).startswith(
-        "1,099,511,627,776 modules; one step more makes 2,1"
-    )
+    assert not doubling.make_solid and growing.size(doubling).startswith("1,099,511,627,776 modules; next step 2,1")
+
+
+def test_how_many_modules_a_word_of_chance_has_is_said_once_it_is_derived():
+    plant = sw.Plant("axiom: F\nF -(0.5)-> F[+F]F\nF -(0.5)-> F", generations=6, seed=20261130)
+    assert growing.size(plant) == f"1 to {3**6 + 3 * (3**6 - 1) // 2:,} modules"
+    plant.mesh()
+    assert growing.size(plant) == f"{len(growing.read(plant.system).derive(6, 20261130))} modules"
 
 
 @pytest.mark.parametrize(

@@ -62,6 +62,8 @@ def test_tubes_that_are_to_be_united_are_one_closed_mesh_that_keeps_its_colours(
     assert heights[mesh.topology.material == 1].min() == pytest.approx(3.7)
     assert heights[mesh.topology.material == 0].max() == pytest.approx(3.7)
     assert plant.united().mesh().volume() == pytest.approx(mesh.volume(), rel=1e-12)
+    organs = sw.Plant("axiom: F~A", output={"kind": "tubes", "united": True}).mesh()
+    assert len(organs.vertices) == 16 and organs.told == ()
 
 
 def test_what_is_no_set_of_points_is_no_operand():

@@ -20,6 +20,7 @@ NONE = Values()
 QUICK, MOMENT = 400_000, 0.3  # modules, and seconds, up to which a word is derived while somebody waits
 BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
+LENGTHS, MOST_LENGTHS = {}, 64  # of the words that were derived last
 
 
 def read(text, constants=NONE):
@@ -176,6 +177,7 @@ def shown(plant):
     word = None if sizes and max(sizes) > QUICK else quick(*asked(plant))
     if word is None:
         return at_length(plant, lambda part: None)
+    remember(plant, word)
     return figure(word, plant.budget, system(plant), plant.upright.upright)
 
 
@@ -183,7 +185,15 @@ def at_length(plant, progress):
     """The figure of a plant whose word may be long."""
     grown = read(told(plant), plant.constants)
     word = grown.derive(plant.generations, plant.seed, within(plant.budget), lambda part: progress(DERIVED * part))
+    remember(plant, word)
     return drawn(word, plant.budget, system(plant), plant.upright.upright)
+
+
+def remember(plant, word):
+    """Keep how many modules a word has, by what it hangs on: of many no more is known before they are derived."""
+    while len(LENGTHS) >= MOST_LENGTHS:
+        LENGTHS.pop(next(iter(LENGTHS)), None)
+    LENGTHS[asked(plant)] = len(word)
 
 
 def skinned(figure, plant, dtype):
@@ -213,14 +223,16 @@ def within(modules):
 
 
 def size(plant):
-    """How many modules the word of a plant will have, before anything is derived: a sentence."""
+    """How many modules the word of a plant has, or what is known of that before it is derived: a sentence."""
     here, more = plant.generations, plant.generations + 1
     sizes, _ = known(plant.system, plant.constants, more)
     if sizes and len(sizes) > more:
-        return f"{sized(sizes[here])} modules; one step more makes {sized(sizes[more])}"
+        return f"{sized(sizes[here])} modules; next step {sized(sizes[more])}"
     sizes, limits = known(plant.system, plant.constants, here)
     if sizes:
         return f"More than {sized(sizes[-1])} modules"
+    if asked(plant) in LENGTHS:
+        return f"{sized(LENGTHS[asked(plant)])} modules"
     if limits:
         return f"{sized(limits[0])} to {sized(limits[1])} modules"
     return "How many modules there will be hangs on what happens"

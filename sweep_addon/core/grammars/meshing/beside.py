@@ -131,5 +131,5 @@ def organs(figure, chart, dtype):
         "colour": figure.colours(np.concatenate([organ.place for organ in found])),
     }
     topology = Topology(NONE, np.zeros(1, np.int32), np.zeros((0, 2), np.int32), NONE, np.zeros(0, bool), NONE)
-    told = ", ".join(f"{number} {organ.name} ({len(organ.place):,})" for number, organ in enumerate(found, 1))
-    return Mesh(vertices, topology, Held(chart, count, 0, values), (f"Organs are points, by their attribute: {told}.",))
+    told = ", ".join(f"{number} = {organ.name} ({len(organ.place):,} of it)" for number, organ in enumerate(found, 1))
+    return Mesh(vertices, topology, Held(chart, count, 0, values), (f"Organs are points. Attribute organ: {told}.",))

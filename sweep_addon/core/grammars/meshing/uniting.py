@@ -20,7 +20,7 @@ class Segments(Bare):
 
 
 def united(mesh):
-    """The solid of the tubes of a mesh, a `Mesh` of triangles that keep their material; open polygons are left out."""
+    """The solid of the tubes of a mesh, as triangles that keep their material; polygons and organs are left out."""
     is_open = np.zeros(len(mesh.vertices), bool)
     is_open[mesh.boundary_edges().ravel()] = True  # of polygons, which share no vertex with a tube
     triangles, face = facets(mesh)
@@ -32,4 +32,4 @@ def united(mesh):
     tubes = booleans.body(mesh.vertices[used], corners.reshape(-1, 3), number).decompose()
     vertices, triangles, number = booleans.arrays(booleans.united(tubes))
     slots = material[number] if material.any() else None
-    return replace(polyhedron(vertices, triangles, None, slots, mesh.told), chart=Segments(mesh.rings))
+    return replace(polyhedron(vertices, triangles, None, slots), chart=Segments(mesh.rings))

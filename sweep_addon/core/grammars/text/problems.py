@@ -41,6 +41,18 @@ class Problem:
         part = "".join(letter if letter.isprintable() else " " for letter in self.source[start : start + WIDTH])
         return f"    {part.rstrip()}\n    {' ' * (self.column - 1 - start)}^"
 
+    def around(self, width):
+        """The part of the line around the place, of so many letters at most, and dots where more of it is.
+
+        >>> Problem(1, 12, "'['", "']'", "  A -> F(1) [ F(2) F(3) F(4)").around(12)
+        '...F(1) [ F(2) ...'
+        """
+        blank = len(self.source) - len(self.source.lstrip())
+        text = self.source.strip()
+        start = max(0, min(self.column - 1 - blank - width // 3, len(text) - width))
+        rest = "..." if start + width < len(text) else ""
+        return f"{'...' if start else ''}{text[start : start + width]}{rest}"
+
     def __str__(self):
         return f"{self.sentence}\n{self.shown}"
 
