@@ -8,8 +8,9 @@ has the product of its own turns.
 
 import numpy as np
 
-from . import paths, turns
+from . import turns
 from .limbs import ABOUT, SPIN, SPINS, TURNS
+from .products import LONG, Rotations, columns, multiplied, products_of_runs, put, taken
 from .scaling import ANGLE
 
 BITS = 4  # that say which turn it is: 1 more than its place among the spins, 0 is none
@@ -31,18 +32,15 @@ def rotations(walk, kind, begins, token):
 
     Returns
     -------
-    (2, r) complex array
-        Rotations.
-    (t,) int array or None
-        Which of them each token has, if not its own.
+    Rotations
     """
     single = of_kinds(walk)
     found = None if single is None else different(kind, begins, single)
     if found:
-        return found
+        return Rotations(*found, columns(found[0]))
     spin = np.flatnonzero(kind >= SPIN)
     spins = of_modules(walk, walk.limbs.places.take(spin))
-    return paths.products_of_runs(spins, token(spin), len(begins)), None
+    return Rotations(products_of_runs(spins, token(spin), len(begins)))
 
 
 def of_kinds(walk):
@@ -88,7 +86,7 @@ def different(kind, begins, single):
     known, run = single, turn_of.take(begins).astype(np.intp)
     token = np.flatnonzero(run)
     place = begins.take(token)
-    for _ in range(paths.LONG):
+    for _ in range(LONG):
         place += 1
         turn = turn_of.take(place)
         longer = np.flatnonzero(turn)
@@ -103,7 +101,7 @@ def different(kind, begins, single):
             return None
         which[numbers] = np.arange(count, count + len(numbers))
         run[token] = which.take(number)
-        more = paths.multiplied(paths.taken(known, numbers >> BITS), paths.taken(single, numbers % (1 << BITS)))
+        more = multiplied(taken(known, numbers >> BITS), taken(single, numbers % (1 << BITS)))
         known = np.concatenate((known, more), axis=1)
     return None
 
@@ -123,7 +121,7 @@ def of_modules(walk, places):
     for name in (*TURNS, ABOUT):
         for number in walk.numbers(name):
             tables[:, number] = rotation(name, system.angle)
-    found = paths.taken(tables, symbols)
+    found = taken(tables, symbols)
     scaled = bool(walk.numbers(ANGLE))
     for name in TURNS:
         for number, count in walk.named.get(name, ()):
@@ -131,5 +129,5 @@ def of_modules(walk, places):
             if len(at):
                 angle = np.broadcast_to(walk.angles(places[at]), at.shape)
                 angle = angle[0] if (angle == angle[0]).all() else angle
-                paths.put(found, at, rotation(name, angle))
+                put(found, at, rotation(name, angle))
     return found

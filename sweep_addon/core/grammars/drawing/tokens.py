@@ -4,10 +4,11 @@
 
 import numpy as np
 
-from . import paths
 from .limbs import CLOSES, LEVEL, MOVE, SPIN
+from .paths import along_paths
 from .running import Running
 from .runs import rotations
+from .tropism import tropism
 
 
 class Tokens:
@@ -49,13 +50,6 @@ class Tokens:
         if walk.bends:
             towards, bends = tropism(walk.system.tropism), np.zeros(count, dtype=bool)
             bends[moves[walk.drawing[walk.symbols[walk.moves]]]] = True
-        relative = rotations(walk, kind, np.flatnonzero(self.begins), self.of)
-        found, place = paths.along_paths(*relative, parent, depth, walk.start, levels, bends, towards)
+        turned_by = rotations(walk, kind, np.flatnonzero(self.begins), self.of)
+        found, place = along_paths(turned_by, parent, depth, walk.start, levels, bends, towards)
         return found, moves if place is None else place.take(moves)
-
-
-def tropism(told):
-    """What segments bend towards, of its direction and how easily they bend."""
-    *towards, ease = told
-    towards = np.array(towards) / np.abs(towards).max()  # whose square may be no number
-    return paths.Tropism(towards / np.linalg.norm(towards), ease)
