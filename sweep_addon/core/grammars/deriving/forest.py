@@ -4,7 +4,8 @@
 
 The word is not rewritten. A batch notes which modules a production replaces in a step, and where in its successor
 others stand that live on; how much room each takes in the last word is added up backwards, and where it begins
-forwards. So each module of the word is written once, and what nothing replaces costs nothing until then.
+forwards. So each module of the word is written once, and what nothing replaces costs nothing until then: so does all
+that the last step makes, which is most of a word.
 """
 
 import numpy as np
@@ -81,7 +82,7 @@ class Forest:
         self.batches, self.nodes, self.total = [], 1, len(tables.axiom.symbols)
         self.width = 16 + 8 * tables.columns + 8 * tables.random  # bytes of each: its room and place, what it holds
         axiom = Batch(tables.axiom, Chunk(slice(0, 1), 1, [], 0, root(seed) if tables.random else None), 0)
-        self.grow([axiom], 0)
+        self.grow([axiom], 0, last=not meter.generations)
 
     root = 0
 
@@ -107,7 +108,7 @@ class Forest:
         self.total += sum(batch.chunk.size * (len(batch.template.symbols) - 1) for batch in batches)
         self.meter.room(self.total, generation)
         self.meter.nodes(self.nodes, self.width, generation)
-        self.grow(batches, moment)
+        self.grow(batches, moment, last=generation == self.meter.generations)
         for symbol, chunks in self.population.items():
             if len(chunks) > MOST_CHUNKS:
                 self.population[symbol] = [merged(chunks)]
@@ -120,31 +121,36 @@ class Forest:
         columns = batch.parameters(0, self.arity[symbol])
         self.population[symbol].append(Chunk(chunk.nodes, chunk.size, columns, generation, chunk.keys))
 
-    def grow(self, batches, moment):
-        """Let modules of batches follow that live on: those of a kind get numbers in a row."""
-        followers = {}
+    def grow(self, batches, moment, last):
+        """Let what replaces the modules of batches follow; after the last step none of it needs to live."""
         for batch in batches:
             batch.evaluate(moment)
+        self.batches += batches
+        followers = {}
+        for batch in [] if last else batches:
             for place, symbol in enumerate(batch.template.symbols):
                 if symbol in self.lives:
                     followers.setdefault(symbol, []).append((batch, place))
-        self.batches += batches
         for symbol, slots in followers.items():
-            parts, first = [], self.nodes
-            for batch, place in slots:
-                batch.children[place] = self.nodes
-                nodes = slice(self.nodes, self.nodes + batch.chunk.size)
-                columns = batch.parameters(place, self.arity[symbol])
-                parts.append(Chunk(nodes, batch.chunk.size, columns, batch.step, None))
-                self.nodes = nodes.stop
-            chunk = merged(parts, slice(first, self.nodes)) if len(parts) > 1 else parts[0]
-            if self.tables.random:
-                chunk.keys = np.empty(chunk.size, dtype=np.uint64)
-                for (batch, place), part in zip(slots, parts, strict=True):
-                    own = slice(part.nodes.start - first, part.nodes.stop - first)
-                    np.add(batch.chunk.keys, batch.template.salts[place], out=chunk.keys[own])
-                mix(chunk.keys)
-            self.population[symbol].append(chunk)
+            self.population[symbol].append(self.born(symbol, slots))
+
+    def born(self, symbol, slots):
+        """The modules of a kind at some places of batches, which get numbers in a row."""
+        parts, first = [], self.nodes
+        for batch, place in slots:
+            batch.children[place] = self.nodes
+            nodes = slice(self.nodes, self.nodes + batch.chunk.size)
+            columns = batch.parameters(place, self.arity[symbol])
+            parts.append(Chunk(nodes, batch.chunk.size, columns, batch.step, None))
+            self.nodes = nodes.stop
+        chunk = merged(parts, slice(first, self.nodes)) if len(parts) > 1 else parts[0]
+        if self.tables.random:
+            chunk.keys = np.empty(chunk.size, dtype=np.uint64)
+            for (batch, place), part in zip(slots, parts, strict=True):
+                own = slice(part.nodes.start - first, part.nodes.stop - first)
+                np.add(batch.chunk.keys, batch.template.salts[place], out=chunk.keys[own])
+            mix(chunk.keys)
+        return chunk
 
 
 def taken(chunk, choices, moment):
@@ -159,8 +165,9 @@ def taken(chunk, choices, moment):
             yield choice.templates[0], matching
         elif matching is not None:
             which = drawn(choice.bounds, even(matching.keys, moment, 0))
-            for number, template in enumerate((*choice.templates, None)):
-                chosen = np.flatnonzero(which == number)
+            rest = () if choice.bounds[-1] == 1 else (None,)
+            for number, template in enumerate((*choice.templates, *rest)):
+                chosen = (which == number).nonzero()[0]
                 if chosen.size:
                     yield template, matching.part(chosen)
         if chunk is None:

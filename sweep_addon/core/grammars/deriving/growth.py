@@ -91,7 +91,7 @@ def grown(tables, generations, which):
         made.append(counts.total())
         if made[-1] > WIDEST:
             break
-        if counts == before and not tables.groups:  # and so it stays
+        if made[-1] == made[-2] and counts == before and not tables.groups:  # and so it stays
             return made + made[-1:] * (generations - step)
     return made
 
