@@ -152,6 +152,14 @@ def is_grown(mesh):
     return sweep is not None and SHAPE.get(sweep.kind) is Plant
 
 
+def is_united(ob):
+    """Whether an object is a plant whose tubes are one solid, or will be as soon as that is made."""
+    if not (is_sweep(ob) and is_grown(ob.data)):
+        return False
+    group = ob.data.sweep.plant
+    return group.output == "TUBES" and group.output_tubes_united
+
+
 def has_poly_lines(mesh):
     """Whether a mesh is made of a grammar as poly-lines that are to be curves."""
     return is_grown(mesh) and mesh.sweep.plant.output == "CURVES"

@@ -75,7 +75,7 @@ def why_exact(part, mirrored, closed):
     closed : callable
         `is_closed`, or `seems_closed` where there is no time.
     """
-    if not (is_united(part) or closed(mesh_of(part))):
+    if not (objects.is_united(part) or closed(mesh_of(part))):
         return f"{part.name!r} is not closed and manifold"
     if is_plant(part):
         return f"{part.name!r} overlaps itself where it branches, and the manifold solver would count that twice"
@@ -220,15 +220,7 @@ def unite(operand):
 
 def is_plant(ob):
     """Whether an object is a plant, whose tubes begin in others."""
-    return objects.is_sweep(ob) and objects.is_grown(ob.data) and not is_united(ob)
-
-
-def is_united(ob):
-    """Whether an object is a plant whose tubes are one solid, or will be as soon as that is made."""
-    if not (objects.is_sweep(ob) and objects.is_grown(ob.data)):
-        return False
-    group = ob.data.sweep.plant
-    return group.output == "TUBES" and group.output_tubes_united
+    return objects.is_sweep(ob) and objects.is_grown(ob.data) and not objects.is_united(ob)
 
 
 def overlaps(ob):

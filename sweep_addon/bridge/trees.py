@@ -193,7 +193,8 @@ def generator_of(ob):
     if shape is not GeneralSweep or group.generator != "OBJECT":
         return None
     generator = group.generator_object
-    followed = generator and generator.type == "MESH" and (is_tree(generator) or objects.is_swept(generator))
+    made = is_tree, objects.is_swept, objects.is_united
+    followed = generator and generator.type == "MESH" and any(of_object(generator) for of_object in made)
     return generator if followed and is_rigid(objects.shapes(ob.data)[0]) else None
 
 

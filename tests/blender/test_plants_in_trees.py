@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plants as operands of set operations in Blender: their tubes overlap, and their leaves are open."""
 
+from functools import reduce
 from types import SimpleNamespace
 
 import numpy as np
@@ -134,6 +135,25 @@ def test_what_is_read_of_a_tree_has_the_plant_and_makes_the_same_mesh_again(scen
     read, first = sw.from_object(again), tree.steps[0].operand
     assert read.steps[0].operand.solid == first.solid
     assert np.allclose(read.steps[0].operand.matrix, first.matrix, atol=1e-6)
+
+
+@pytest.mark.parametrize("node", ["base", "moved", "swept"])
+def test_a_plant_anywhere_in_a_tree_is_read_again_as_it_was_made(scene, node):
+    pytest.importorskip("manifold3d")
+    united = sw.Plant(BAR + LEAF, upright=True, output={"kind": "tubes", "united": True})
+    block = sw.solids.Block(1.0, 1.0, 1.0)
+    made = {
+        "base": united - block,
+        "moved": block - united.moved(z=0.25),
+        "swept": sw.SweptSolid(united, sw.trajectories.Line(end=(2, 0, 0)), cells=16),
+    }[node]
+    ob = sw.to_object(made)
+    read = sw.from_object(ob)
+    path = {"base": "base", "moved": "steps.0.operand.solid", "swept": "solid"}[node].split(".")
+    plant = reduce(lambda held, part: held[int(part)] if part.isdigit() else getattr(held, part), path, read)
+    assert plant == united
+    if node == "base":
+        assert shown(ob).volume() == pytest.approx(1.5 * area(THICK) + 1.7 * area(THIN), rel=1e-5)
 
 
 @pytest.mark.parametrize("form", ["PYTHON", "JOB"])
