@@ -10,7 +10,24 @@ ends.
 import numpy as np
 
 TURN = 0.1  # radians in a block
+SLIDE = 0.1  # of the contour's width along the line about which it turns, in a block
 CORNER = 0.5  # radians in one segment: a mitre, whose leg is a block of its own
+
+
+def measured(rings, segments):
+    """By how many radians contours turn in each segment, or as much as the ways of their points bend, or they slide.
+
+    Parameters
+    ----------
+    rings : Rings
+    segments : (k,) int array
+
+    Returns
+    -------
+    (k,) float array
+    """
+    slid = np.minimum(rings.slides * TURN / SLIDE, CORNER)
+    return np.maximum(np.maximum(rings.turns, rings.bends), slid)[segments]
 
 
 def blocks(turned, start, end):
@@ -19,7 +36,7 @@ def blocks(turned, start, end):
     Parameters
     ----------
     turned : (n,) float array
-        By how many radians the rings have turned up to each, or the ways of their points have bent.
+        By how many radians the rings have turned up to each, as `measured` counts.
     start, end : int
         The first ring and the last.
 

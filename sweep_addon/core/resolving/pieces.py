@@ -6,7 +6,8 @@ import numpy as np
 
 from ..declared.frozen import individual
 from ..meshes.booleans import body, hull_body
-from .blocks import blocks
+from .blocks import blocks, measured
+from .sides import across, halves
 
 
 @individual
@@ -91,12 +92,15 @@ class Pieces:
         else:
             first, last = first - 1, min(last + 1, first - 1 + self.rings.segments + 1)
         segments, _ = self.rings.placed(np.arange(first, last))
-        turns = np.maximum(self.rings.turns, self.rings.bends)[segments]
-        turned = np.concatenate(([0.0], np.cumsum(turns)))
+        turned = np.concatenate(([0.0], np.cumsum(measured(self.rings, segments))))
         return [(first + a, first + b) for a, b in blocks(turned, 0, last - first)]
 
     def hulls(self, first, last):
-        """The bodies of a block, one for each convex part of the contour."""
-        numbers = self.rings.vertices(np.arange(first, last + 1))
+        """The bodies of a block: one for each convex part of the contour, or two where that slides on a line."""
+        points = self.rings.mesh.vertices[self.rings.vertices(np.arange(first, last + 1))]
         parts = self.fillings.at((first + last) // 2).parts
-        return [hull_body(self.rings.mesh.vertices[numbers[part].ravel()]) for part in parts]
+        rings, _ = self.rings.placed(np.array([first, last]))
+        sides = across(points, self.rings.normals[rings])
+        if sides is None:
+            return [hull_body(points[part].reshape(-1, 3)) for part in parts]
+        return [hull_body(half) for part in parts for half in halves(points[part], sides[part])]

@@ -147,10 +147,10 @@ class Rings:
 
     @cached_property
     def bends(self):
-        """(segments,) float array: by how many radians a circle as wide as the contour turns, of which points' ways
-        bend as much as those of the points in each segment of the grid.
+        """(segments,) float array: by how many radians the ways of points bend in each segment of the grid.
 
-        A contour that does not turn may go round a corner, and one that turns about its tangent does so in its plane.
+        They are counted as those of a circle as wide as the contour that are as far from their chords. A contour that
+        does not turn may go round a corner, and one that turns about its tangent does so in its plane.
         """
         before = np.roll(self.ahead, 1, axis=1)
         if self.closed:
@@ -161,6 +161,16 @@ class Rings:
         aside = (turn * np.minimum(norms(self.ahead), norms(before))).max(axis=0)
         rings = np.sqrt(aside / (2 * np.maximum(self.radii[: self.segments], TINY)))
         return np.maximum(rings, np.append(rings[1:], rings[0] if self.closed else 0.0))
+
+    @cached_property
+    def slides(self):
+        """(segments,) float array: how far points go along the line about which the contour turns in each segment.
+
+        It is counted in widths of the contour along that line.
+        """
+        line = unit(cross(self.normals, np.roll(self.normals, -1, axis=0)))[: self.segments]
+        width = np.ptp(dot(self.points[:, : self.segments], line), axis=0)
+        return np.abs(dot(self.ahead, line)).max(axis=0) / np.maximum(width, TINY)
 
     @cached_property
     def folded(self):
