@@ -47,6 +47,22 @@ def test_notes_are_described_and_told_with_the_mesh():
     assert Plant("axiom: F").mesh().told == ()
 
 
+def test_a_word_that_draws_nothing_says_so():
+    (note,) = Plant("axiom: A\nA -> AB", generations=3).mesh().told
+    assert note.startswith("The word draws nothing: segments are F and G")
+    for drawing in ("F", "{f+f+f}", "~A"):
+        assert not any("draws nothing" in note for note in Plant(f"axiom: {drawing}").mesh().told)
+
+
+@pytest.mark.parametrize(("width", "told"), [(10, True), (0.1, False)])
+def test_diameters_in_other_units_than_lengths_are_noticed(width, told):
+    """Figure 2.6 b as printed: a trunk of ten, where the first length is 1 and all of them add up to ten."""
+    text = f"axiom: A(1,{width})\nA(l,w) -> !(w)F(l)[&(45)A(l*0.9,w*0.707)]/(137.5)A(l*0.9,w*0.707)"
+    said = Plant(text, generations=10).mesh().told
+    assert any(note.startswith("Tubes are up to 10 m thick in a figure of ") for note in said) == told
+    assert bool(said) == told
+
+
 def test_what_is_wrong_with_a_statement_is_told_once():
     with pytest.raises(GrammarError) as refusal:
         LSystem.parse("axiom: F\nstart: n := 1")

@@ -15,11 +15,15 @@ from ..grammars.deriving.growth import bounds, foretold
 from ..grammars.deriving.noting import notes
 from ..grammars.meshing import uniting
 from ..grammars.meshing.chart import Skin
+from ..vectors import norms
 
 NONE = Values()
 QUICK, MOMENT = 400_000, 0.3  # modules, and seconds, up to which a word is derived while somebody waits
 BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
+THICK, SOME = 0.5, 1_000  # of the size of a figure: tubes beyond are most likely told in other units than lengths
+NOTHING = "The word draws nothing: segments are F and G, polygons stand in { }, and organs behind ~."
+CLUMSY = "Tubes are up to {:.3g} m thick in a figure of {:.3g} m: diameters, by ! or Width, are in metres too."
 LENGTHS, MOST_LENGTHS = {}, 64  # of the words that were derived last
 
 
@@ -203,7 +207,19 @@ def skinned(figure, plant, dtype):
         made = figure.mesh(sides, plant.texture, plant.attributes, dtype, within(plant.budget), apart)
         if is_united(plant):
             made = uniting.united(made).astype(dtype)
-    return replace(made, told=(*made.told, *noted(plant.system, plant.constants)))
+    return replace(made, told=(*made.told, *seen(figure, made, sides), *noted(plant.system, plant.constants)))
+
+
+def seen(figure, made, sides):
+    """What is odd about what is drawn: that there is nothing, or tubes that hide how they branch."""
+    if not len(made.vertices):
+        yield NOTHING
+    if sides and len(figure):
+        thick, some = float(figure.width.max()), figure.end[:: 1 + len(figure) // SOME]
+        if thick > THICK * norms(np.ptp(some, axis=0)):  # of a figure that is large enough some places tell it
+            size = float(norms(np.ptp(figure.bounds, axis=0)))
+            if thick > THICK * size:
+                yield CLUMSY.format(thick, size)
 
 
 def is_united(plant):
