@@ -26,14 +26,15 @@ WAITING = """
     formulas.jets meshes.joining kept grids.laying grids.leaning variation.matching meshes.mesh rings.mitres
     variation.motion rings.parting meshes.polyhedron envelopes.reach meshes.regularizing stations.rotations
     meshes.runs rings.cutting stations.search meshes.sheets stations.spreading rings.steps stations.transport
-    meshes.triangulate rings.trimming rings.volume_true meshes.welding contours.arcs contours.arrangement contours.crossing
-    contours.filling contours.flatten contours.fonts contours.loops contours.nesting contours.orientation
-    contours.planar contours.ranges contours.reading contours.rounding contours.section contours.svg
-    contours.svg_document contours.symmetry distance.nearest grammars shapes.growing offsets.offset solids.prism swept
-    self_intersection.cells self_intersection.cylinders self_intersection.detect self_intersection.faces
-    self_intersection.folds self_intersection.lattice self_intersection.local self_intersection.pd_curves
-    self_intersection.places self_intersection.screws self_intersection.stretches self_intersection.thickness
-    trajectories.arc_length trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
+    meshes.triangulate rings.trimming rings.volume_true meshes.welding contours.arcs contours.arrangement
+    contours.crossing contours.filling contours.flatten contours.fonts contours.loops contours.nesting
+    contours.orientation contours.planar contours.ranges contours.reading contours.rounding contours.section
+    contours.svg contours.svg_document contours.symmetry distance.nearest grammars shapes.growing offsets.offset
+    solids.prism swept self_intersection.cells self_intersection.cylinders self_intersection.detect
+    self_intersection.faces self_intersection.folds self_intersection.lattice self_intersection.local
+    self_intersection.pd_curves self_intersection.places self_intersection.screws self_intersection.stretches
+    self_intersection.thickness trajectories.arc_length trajectories.breaks trajectories.gpx trajectories.neighbours
+    trajectories.table
 """.split()
 DECLARED = """
 import sys
