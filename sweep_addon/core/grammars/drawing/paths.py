@@ -42,7 +42,7 @@ def along_paths(rotations, parent, depth, start, levels=None, bends=None, tropis
     start = np.array(start)[:, None]
     waves = int(depth.max()) + 1
     if levels is None and bends is None and waves == len(parent):
-        return chain(rotations.of(slice(None)), start), None
+        return chain(rotations, waves, start), None
     if levels is None and bends is None and len(parent) < FEW * waves:
         return by_blocks(rotations, parent, depth, start, int(np.ceil(np.sqrt(waves))))
     order, rank, above = in_rows(depth, parent)
@@ -111,20 +111,22 @@ def by_blocks(rotations, parent, depth, start, size):
     return found, rank
 
 
-def chain(relative, start):
+def chain(rotations, count, start):
     """The same for one path: products within rows of tokens, in all rows at once, and then of rows."""
-    count = relative.shape[1]
     size = int(np.ceil(np.sqrt(count)))
     rows = -(-count // size)
-    within = np.zeros((2, rows * size), dtype=complex)
-    within[0], within[:, :count] = 1, relative
-    within = np.ascontiguousarray(within.reshape(2, rows, size).transpose(2, 0, 1))
+    within = np.empty((size, 2, rows), dtype=complex)
+    within[0] = rotations.of(slice(0, count, size))
     for number in range(1, size):
-        within[number] = multiplied(within[number - 1], within[number])
-    before = np.empty((2, rows), dtype=complex)
-    for row in range(rows):
-        before[:, row : row + 1] = start
-        start = multiplied(start, within[-1, :, row : row + 1])
+        part = slice(number, count, size)
+        filled = len(range(*part.indices(count)))  # all rows, or all but the last
+        within[number] = within[number - 1]
+        within[number, :, :filled] = rotations.behind(within[number - 1, :, :filled], part)
+    before, (z, w) = [], start[:, 0].tolist()
+    for other_z, other_w in within[-1].T.tolist():
+        before.append((z, w))
+        z, w = z * other_z - w * other_w.conjugate(), z * other_w + w * other_z.conjugate()
+    before = np.array(before).T.copy()
     for number in range(size):
         within[number] = multiplied(before, within[number])
     return within.transpose(1, 2, 0).reshape(2, -1)[:, :count]
