@@ -11,7 +11,7 @@ import numpy as np
 from _window import run
 
 ADD, MESH, ACROSS, L_SYSTEM, INSIDE = (285, 860), (310, 836), (500, 836), (500, 592), (690, 592)  # read off pictures
-LENGTH_RATIO, EDIT, FIRST_PROBLEM = (0.55, 218), (0.82, 161), (0.8, 151)
+LENGTH_RATIO, EDIT, FIRST_PROBLEM = (0.55, 197), (0.82, 140), (0.8, 151)
 
 
 def height(mesh):
