@@ -66,6 +66,13 @@ def test_tubes_that_are_to_be_united_are_one_closed_mesh_that_keeps_its_colours(
     assert len(organs.vertices) == 16 and organs.told == ()
 
 
+@pytest.mark.parametrize(("generations", "waits"), [(4, False), (10, True)])
+def test_many_tubes_are_united_while_people_work_on(generations, waits):
+    for united in (False, True):
+        plant = sw.Plant(generations=generations, output={"kind": "tubes", "united": united})
+        assert plant.make_solid == (waits and united)
+
+
 def test_what_is_no_set_of_points_is_no_operand():
     with pytest.raises(TypeError):
         sw.Plant(BAR) - 1

@@ -19,6 +19,7 @@ from ..vectors import norms
 
 NONE = Values()
 QUICK, MOMENT = 400_000, 0.3  # modules, and seconds, up to which a word is derived while somebody waits
+FEW = 1_000  # modules up to which tubes are united while somebody waits
 BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
 THICK, SOME = 0.5, 1_000  # of the size of a figure: tubes beyond are most likely told in other units than lengths
@@ -86,14 +87,14 @@ def system(plant):
 
 def takes_long(plant):
     """Whether a plant takes too long while somebody drags a slider: its word is long, or its tubes are to be united."""
-    if is_united(plant):
-        return True
+    most = FEW if is_united(plant) else QUICK
     sizes, limits = known(plant.system, plant.constants, plant.generations)
     if sizes:
-        return QUICK < max(sizes) <= plant.budget
+        return most < max(sizes) <= plant.budget
     if limits and limits[0] > plant.budget:
         return False  # it is refused at once
-    return quick(*asked(plant)) is None
+    word = quick(*asked(plant))
+    return word is None or len(word) > most
 
 
 @lru_cache(maxsize=16)
