@@ -301,6 +301,10 @@ def test_both_bodies_of_random_contours_across_the_axis_are_solids(draws):
         "angle: must be at most 62831.9, got 70000": dict(angle=70000, pitch=1),
         "angle: must be a number of radians, got '90'": dict(angle="90"),
         "pitch: must be 0 for a contour with an edge along the axis, got 1": dict(pitch=1, contour=BLOCK),
+        "crossing: must be keep where there is a pitch, by which the cut along the axis would slide in itself, "
+        "got 'split'": dict(pitch=1, contour=Rectangle(2, 1), crossing="split"),
+        "fit: must be inscribed for a contour that touches the axis with a curve, whose edges else cross it, "
+        "got 'area-true'": dict(contour=Circle(1.0, 64), axis_point=(-1, 0), fit="area-true"),
         "axis_direction: must have a length, got [0.0, 0.0]": dict(axis_direction=(0, 0)),
         "axis_point: must be a list of 2, got [1, 2, 3]": dict(axis_point=[1, 2, 3]),
         "contour: must not lie on the axis, got only points on it": dict(

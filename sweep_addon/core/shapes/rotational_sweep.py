@@ -10,7 +10,7 @@ from math import ceil, copysign, pi, sin, sqrt, tau
 import numpy as np
 
 from ..contours import Fit, Mixed, Outline, PlanarSet, all_fitted
-from ..declared.parameters import ShapeError, angle, at, declared, parameter, proven, require
+from ..declared.parameters import ShapeError, angle, at, declared, parameter, proven, require, spelled
 from ..grids.texture import Texture
 from ..later import later
 from ..resolving import solid_option
@@ -228,6 +228,9 @@ class RotationalSweep(Operand):
         for section in sections:
             solid = section.closed or isinstance(self.contour, Mixed)  # an open outline may run along the axis
             along = solid and self.pitch and len(between_poles(section))
+            cut = self.crossing in (Crossing.SPLIT, Crossing.MEET) and across_axis(sections)
+            kept = "must be keep where there is a pitch, by which the cut along the axis would slide in itself"
+            require(not (along and cut), kept, spelled(self.crossing), "crossing")
             require(not along, "must be 0 for a contour with an edge along the axis", self.pitch, "pitch")
         apart = self.crossing is not Crossing.MEET or abs(self.angle) < pi * (1 - WHOLE)
         require(apart or not self.sides_overlap(sections), LESS, self.angle, "angle")
@@ -361,13 +364,23 @@ def about_axis(contour, fit, point, direction, crossing, screw):
     across = np.concatenate([section.points[:, 0] for section in sections])
     if not across.any():
         raise ShapeError("must not lie on the axis, got only points on it", "contour")
-    low, high = float(across.min()), float(across.max())
-    if low >= 0 or high <= 0 or crossing is Crossing.KEEP:
+    if crossing is Crossing.KEEP or not across_axis(sections):
         return tuple(sections if screw else map(parting.with_crossings, sections))
     if crossing is Crossing.REFUSE:
+        if fit is not Fit.INSCRIBED:
+            drawn = about_axis(contour, Fit.INSCRIBED, point, direction, Crossing.KEEP, screw)
+            beside = "must be inscribed for a contour that touches the axis with a curve, whose edges else cross it"
+            require(across_axis(drawn), beside, spelled(fit), "fit")
+        low, high = float(across.min()), float(across.max())
         one_side = "must be on one side of the axis, or crossing be keep, split or meet"
         raise ShapeError(f"{one_side}, got one from {low:.6g} to {high:.6g} m across it", "contour")
     return tuple(part for section in sections for part in parting.parted(section))
+
+
+def across_axis(sections):
+    """Whether sections that an axis sees are on both sides of it."""
+    across = [section.points[:, 0] for section in sections]
+    return min(side.min() for side in across) < 0 < max(side.max() for side in across)
 
 
 def turned(section, origin, x, y):
