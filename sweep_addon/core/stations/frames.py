@@ -265,8 +265,7 @@ def turn(frame, trajectory):
         What it has turned about the tangent by then, in radians, jumps left out. Opposite sides count as one, as the
         frame goes on with either after an inflection.
     """
-    s = np.linspace(0.0, arc_length(trajectory).total, PLACES)
-    placed = sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
+    s, placed = evenly(trajectory)
     normals, holonomy = rotation_minimizing(placed)
     angles = frame.angles(placed, normals, holonomy, 1)[0]
     if trajectory.closed:
@@ -274,6 +273,13 @@ def turn(frame, trajectory):
     steps = wrapped(np.diff(angles), tau / 2)
     steps[np.abs(steps) > JUMP] = 0.0
     return s, np.concatenate(([0.0], np.cumsum(steps)))
+
+
+@lru_cache(maxsize=16)
+def evenly(trajectory):
+    """Arc lengths evenly spaced from end to end, (n,), and the stations there; the end of a closed one is its start."""
+    s = np.linspace(0.0, arc_length(trajectory).total, PLACES)
+    return s, sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
 
 
 @lru_cache(maxsize=16)

@@ -7,14 +7,12 @@ from math import tau
 
 import numpy as np
 
-from ..trajectories.arc_length import arc_length
 from . import sampling
-from .frames import JUMP, Continuation, rotation_minimizing
+from .frames import JUMP, Continuation, evenly, rotation_minimizing
 from .rotations import wrapped
 
-CELLS = 2048  # of the trajectory, in each of which a leap is looked for
-PARTS = 16  # of a cell with a leap, which is looked for in each: single precision still tells their ends apart
-STRAIGHT = 4  # cells: over a longer stretch without a normal the frame turns evenly
+PARTS = 16  # of a step with a leap, which is looked for in each: single precision still tells their ends apart
+STRAIGHT = 4  # even steps: over a longer stretch without a normal the frame turns evenly
 
 
 @lru_cache(maxsize=16)
@@ -42,26 +40,26 @@ def leaps(frame, trajectory):
     >>> bool(leap[0] < turning.length() / 2 < leap[1]), leaps(Frenet(), turning).tolist()
     (True, [])
     """
-    s = np.linspace(0.0, arc_length(trajectory).total, CELLS + 1)
-    straight = STRAIGHT * s[1]
-    found = leaping(frame, trajectory, s, straight)
+    s, placed = evenly(trajectory)
+    straight, total = STRAIGHT * s[1], s[-1]
+    found = leaping(frame, placed, straight)
     if len(found):
         closer = np.linspace(*found.T, PARTS + 1).ravel()
-        s = np.unique(np.concatenate((s, np.where(closer < s[-1], closer, closer - s[-1]))))
-        found = leaping(frame, trajectory, s, straight)
-    return np.where(found < s[-1], found, found - s[-1])
+        closer = np.unique(np.concatenate(([0.0, total], np.where(closer < total, closer, closer - total))))
+        placed = sampling.stations(trajectory, closer[:-1] if trajectory.closed else closer)
+        found = leaping(frame, placed, straight)
+    return np.where(found < total, found, found - total)
 
 
-def leaping(frame, trajectory, s, straight):
-    """The arc lengths, out of rising ones from end to end, from which a frame leaps to the next that has a normal.
+def leaping(frame, placed, straight):
+    """The arc lengths of stations from which a frame leaps to the next that has a normal, and of these: (k, 2).
 
     Between two that are farther apart than what is told to be straight it turns evenly.
     """
-    placed = sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
     normals, holonomy = rotation_minimizing(placed)
     angles, curved = frame.towards(placed, normals)
     at, angles = placed.s[curved], angles[curved]
-    if trajectory.closed and len(at):
+    if placed.closed and len(at):
         at, angles = np.append(at, at[0] + placed.total), np.append(angles, angles[0] - holonomy)
     turn = wrapped(np.diff(angles), tau if frame.continuation is Continuation.EXACT else tau / 2)
     leap = (np.abs(turn) > JUMP) & (np.diff(at) <= straight)
