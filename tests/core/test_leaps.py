@@ -14,7 +14,7 @@ from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.stations.frames import Continuation, Frenet
 from sweep_addon.core.stations.leaps import leaps
 from sweep_addon.core.stations.sampling import Count, Tolerance
-from sweep_addon.core.trajectories import Bezier, Formula, Helix
+from sweep_addon.core.trajectories import Bezier, Formula, Helix, Sampled
 
 EXACT = Frenet(Continuation.EXACT)
 TURNING = Formula("u", "u^3", "0", start=-1.0, end=1.0)
@@ -66,6 +66,18 @@ def test_side_on_which_a_smooth_frame_goes_on_does_not_hang_on_rounding():
         for bar in bars:
             assert (classify(bars[0], bar.mesh().vertices, tolerance=1e-3) == 0).all()
         assert bars[1].mesh().volume() == pytest.approx(BESIDE, rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("continuation", [Continuation.SMOOTH, Continuation.EXACT])
+def test_side_of_a_frame_does_not_hang_on_how_many_contours_there_are(seed, continuation):
+    """Where the plane of the bend turns fast a smooth frame follows it, also between contours."""
+    path = Sampled(np.cumsum(np.random.default_rng(seed).normal(size=(12, 3)), axis=0))
+    beside, frame = Outline([box((0.02, 0.0), (0.06, 0.02))]), Frenet(continuation)
+    for count in (12, 25, 200):
+        bar = GeneralizedCylinder(beside, path, Count(count), frame)
+        labels = classify(bar, bar.mesh().vertices, tolerance=1e-4)
+        assert (labels >= 0).all() and (labels == 0).mean() > 0.97  # a few are in, where the path bends too sharply
 
 
 def test_where_no_frame_leaps_there_is_nothing():

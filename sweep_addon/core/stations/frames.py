@@ -27,8 +27,7 @@ transport = later("core.stations.transport", "transport")
 
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
 
-PLACES = 2049  # where it is looked at how a frame turns
-CONTINUED = 1024  # places from each of which to the next a frame is continued
+PLACES = 2049  # where it is looked at how a frame turns, from each of which to the next it is continued
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 TIE = 1e-6  # radians: where planes of two bends are square to each other, rounding must not choose the side
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
@@ -139,9 +138,9 @@ class Frenet(OfItsPlace):
             if refused:
                 sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
                 raise ShapeError(sentence, "frame.continuation")
-        if self.continuation is Continuation.SMOOTH:
-            filled = fill(stations, found, curved, holonomy, half=True)
-        return filled, told
+        s, angles, period = continued(self, stations.trajectory)
+        near_by = np.interp(stations.s, s, angles)
+        return np.where(curved, near_by + nearest(found - near_by, period), near_by), told
 
     def towards(self, stations, normals):
         """The angle of the centre of curvature from the rotation-minimizing normals, and where there is one: (n,)."""
@@ -187,32 +186,6 @@ Frame = RotationMinimizing | Frenet | FixedUp
 
 def __dir__():
     return __all__  # what a console offers
-
-
-def among(frame, s, total):
-    """Arc lengths, and among them as many more as a frame takes that each place continues from those before it.
-
-    A Frenet frame turns by half about where the curvature vanishes, which is told from one place to the next.
-
-    Parameters
-    ----------
-    frame : RotationMinimizing, Frenet or FixedUp
-    s : (n,) float array
-        In metres, the first of them 0.
-    total : float
-        The length of the trajectory.
-
-    Returns
-    -------
-    every : (k,) float array
-        Rising where there are more.
-    which : slice or (n,) int array
-        Where the arc lengths are in it.
-    """
-    if not isinstance(frame, Frenet):
-        return s, slice(None)
-    every = np.unique(np.concatenate((s, np.linspace(0.0, total, CONTINUED, endpoint=False))))
-    return every, np.searchsorted(every, s)
 
 
 def axes(frame, stations, twist, symmetry=1):
@@ -318,6 +291,36 @@ def first_normal(tangent):
     x, y = tangent[0, :2]
     normal = np.array([[y, -x, 0.0]]) if abs(x) + abs(y) >= 1e-4 else np.array([[1.0, 0.0, 0.0]])
     return unit(normal - (normal @ tangent[0]) * tangent)
+
+
+@lru_cache(maxsize=16)
+def continued(frame, trajectory):
+    """How a Frenet frame goes on along a trajectory, however few contours stand there.
+
+    Parameters
+    ----------
+    frame : Frenet
+    trajectory : Trajectory
+
+    Returns
+    -------
+    s : (n,) float array
+        Arc lengths in metres, evenly spaced from end to end.
+    angles : (n,) float array
+        From the rotation-minimizing normals, in radians; 0 where there is no Frenet frame anywhere.
+    period : float
+        By multiples of which an angle may be off that of the principal normal: half a turn if the frame keeps its side.
+    """
+    s, placed = evenly(trajectory)
+    normals, holonomy = rotation_minimizing(placed)
+    found, curved = frame.towards(placed, normals)
+    if not curved.any():
+        return s, np.zeros(len(s)), tau
+    angles = fill(placed, found, curved, holonomy, half=frame.continuation is Continuation.SMOOTH)
+    period = tau / 2 if np.cos(angles - found)[curved].min() < 0 else tau  # round a closed path it may not keep it
+    if placed.closed:
+        angles = np.append(angles, angles[-1] + nearest(angles[0] - holonomy - angles[-1], period))
+    return s, angles, period
 
 
 def fill(stations, angles, known, holonomy, half=False):

@@ -15,7 +15,7 @@ from ..declared.parameters import at
 from ..formulas.expressions import compile
 from ..meshes.mesh import require_few
 from ..shapes.general_sweep import PLACES
-from ..stations.frames import among, axes
+from ..stations.frames import axes
 from ..stations.parallel import Parallel
 from ..stations.sampling import place, stations
 from ..trajectories.arc_length import arc_length
@@ -94,8 +94,7 @@ class Motion:
 
     def at(self, s):
         """The `Poses` at arc lengths that begin with 0."""
-        every, which = among(self.frame, s, arc_length(self.trajectory).total)
-        return self.poses(stations(self.trajectory, every)).only(which)
+        return self.poses(stations(self.trajectory, s))
 
     def posed(self, points, poses):
         """Where points of the generator, (k, 3), are in some poses: (n, k, 3)."""

@@ -16,7 +16,7 @@ from ...rings.limits import Plane
 from ...shapes.generalized_cylinder import section_of
 from ...shapes.translational_sweep import Reference
 from ...stations.bending import Bending
-from ...stations.frames import RotationMinimizing, among, axes
+from ...stations.frames import RotationMinimizing, axes
 from ...stations.sampling import stations
 from ...stations.spans import spans
 from ...trajectories import Polyline
@@ -46,13 +46,8 @@ def of_cylinder(shape):
     def standing(s):
         placed = stations(trajectory, s)
         scale_x, scale_y, twist, *offset = along.at(placed.s, placed.u)
-        frame, context = along.rails or shape.frame, placed
-        every, which = among(frame, s, measure.total)
-        if len(every) > len(s):
-            context = stations(trajectory, every)
-            twist = along.at(context.s, context.u)[2]
-        e2, e3, _ = axes(frame, context, twist, symmetry=symmetry)
-        return placed, np.stack((scale_x, scale_y), axis=1), offset, e2[which], e3[which]
+        e2, e3, _ = axes(along.rails or shape.frame, placed, twist, symmetry=symmetry)
+        return placed, np.stack((scale_x, scale_y), axis=1), offset, e2, e3
 
     def carried(s):
         placed, scales, (x, y), e2, e3 = standing(s)
