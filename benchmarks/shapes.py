@@ -11,6 +11,7 @@ from measuring import medians, short, table, tell, verdict
 from bl_ext.user_default import sweep_addon as sw
 
 CONTOURS, POINTS, ROUNDS = 4000, 64, 15
+CUTS = 2  # contours that planes add: shapes are compared at the same number of vertices
 CIRCLE = sw.contours.Circle(0.1, POINTS)
 CYLINDER = "generalized cylinder"
 INTRODUCTION = f"""
@@ -40,6 +41,7 @@ def shapes():
     arc, up = sw.trajectories.Arc(2.0, pi / 2), sw.directions.Arrows([(0, 0, 0, 1)])
     oblique = sw.limits.Plane((2.0, 0.0, 0.0), (1.0, 3.0, 1.0)), sw.limits.Plane((0.0, 2.0, 0.0), (-3.0, 1.0, 1.0))
     pd_curve = sw.PDCurveSweep(CIRCLE, arc, up, samples=count)
+    cut = replace(pd_curve, start=oblique[0], end=oblique[1], samples=sw.sampling.Count(CONTOURS - CUTS))
 
     def tall(number):
         return 1 + 0.01 * number
@@ -58,12 +60,16 @@ def shapes():
         "rotational sweep": swept(beside, angle=turned),
         "the same, a screw": swept(replace(beside, pitch=0.3), angle=lambda number: 10 * turned(number)),
         "PD curve sweep": swept(pd_curve, contour=thick),
-        "the same, between oblique planes": swept(replace(pd_curve, start=oblique[0], end=oblique[1]), contour=thick),
+        "the same, between oblique planes": swept(cut, contour=thick),
     }
 
 
 def main():
-    made = medians(shapes(), ROUNDS)[0]
+    actions = shapes()
+    sizes = {name: len(action(0).vertices) for name, action in actions.items()}
+    if set(sizes.values()) != {CONTOURS * POINTS}:
+        raise ValueError(f"the shapes must have {CONTOURS * POINTS:,} vertices each, got {sizes}")
+    made = medians(actions, ROUNDS)[0]
     rows = [[name, short(taken), short(taken / made[CYLINDER])] for name, taken in made.items()]
     page = [INTRODUCTION + table(["", "ms", "to the generalized cylinder"], rows), ""]
     page += [f"- {name}: {verdict(t / made[CYLINDER], 1.5)}" for name, t in made.items() if name != CYLINDER]

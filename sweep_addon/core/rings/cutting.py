@@ -49,7 +49,7 @@ def followed(limits, whole, section, tolerance):
         ahead[section.gaps] = section.gaps
         points = np.concatenate((section.points, (section.points + section.points[ahead]) / 2))
         heights, places = planes.crossings(points)
-        corners, middles = np.split(places, 2, axis=1)
+        corners, middles = places[:, : len(ahead)], places[:, len(ahead) :]
         missed = norms(middles - (corners + corners[:, ahead]) / 2).max(axis=0)
         if missed.max() <= tolerance or not halvings:
             break
@@ -134,9 +134,9 @@ class Planes:
             if wrong.any():
                 plane, point = np.argwhere(wrong)[0]
                 raise ShapeError(f"{ONCE}, got that of point {point + 1} {how}", NAMES[self.sides[plane]])
-        plane, point = np.indices(first.shape)
-        found = z[plane, first], z[plane, first + 1], above[plane, point, first], above[plane, point, first + 1]
-        return np.stack(found).reshape(4, -1)
+        above, first, every = above.reshape(first.size, -1), first.ravel(), np.arange(first.size)
+        plane = every // len(weights)
+        return np.stack((z[plane, first], z[plane, first + 1], above[every, first], above[every, first + 1]))
 
     def looked_at(self, weights, most):
         """Heights from beyond an end of the axis on, (p, k), and how far each line is above the plane, (p, m, k).

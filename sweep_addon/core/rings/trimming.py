@@ -7,6 +7,7 @@ contour to the cut, so that no ring is cut in two, and all faces keep four corne
 """
 
 from dataclasses import replace
+from math import sqrt
 
 import numpy as np
 
@@ -15,7 +16,6 @@ from ..grids.drawn import affine
 from ..meshes.mesh import require_few
 from ..stations.bending import Rings
 from ..stations.spans import Fan, spans
-from ..vectors import cross, unit
 from .cutting import followed
 from .limits import Plane
 
@@ -62,19 +62,16 @@ def trimmed(limits, bending, section, stations, tolerance):
         heights[:, there] = wide.heights
         whole.lines(weights, heights[:, there], wide, lines[..., there])
     heights, middles, lines, own = heights[:-3], heights[-1], lines[:-3], lines[-3:]
-    axis = bending.placed(stations)
-
-    def joined(values, others):
-        return np.concatenate((values[:first], others[between], values[first:]))
-
-    axes = np.stack(
-        [joined(*pair) for pair in zip(own[:, :3].swapaxes(1, 2), (axis.points, axis.e2, axis.e3), strict=True)]
-    )
+    own_axes = own[:, :3].swapaxes(1, 2)
+    axes = np.concatenate((own_axes[:, :first], bending.axes(stations)[:, between], own_axes[:, first:]), axis=1)
     outlines = tuple(
         outline(limit, section, lines[..., side], axes[:, side]) if isinstance(limit, Plane) else section
         for limit, side in zip(limits, (0, -1), strict=True)
     )
-    u, s = joined(own[0, 3], axis.u), joined(middles, stations.s)
+    u, s = (
+        np.concatenate((values[:first], others[between], values[first:]))
+        for values, others in ((own[0, 3], stations.u), (middles, stations.s))
+    )
     return Rings(section, u, s, axes, outlines, leaning, heights, lines)
 
 
@@ -95,12 +92,12 @@ def ranged(stations, starts, ends, planes):
     between : slice
     before, after : Fan
     """
-    low, high = starts.min(), ends.max()
+    low, latest, earliest, high = starts.min(), starts.max(), ends.min(), ends.max()
     close = CLOSEST * stations[-1] / len(stations)
     inner = stations[(stations > low + close) & (stations < high - close)]
     upright = np.concatenate(([low], inner, [high]))
-    before = upright < starts.max() + ROOM * np.ptp(starts)
-    after = upright > ends.min() - ROOM * np.ptp(ends)
+    before = upright < latest + ROOM * (latest - low)
+    after = upright > earliest - ROOM * (high - earliest)
     before[0] |= planes[0]
     after[-1] |= planes[1]
     kept = upright[~(before | after)]
@@ -118,9 +115,10 @@ def outline(plane, section, cut, axes):
 
     Its points, (m, 4), are put there to the last bit that rounding leaves.
     """
-    cut[:, :3] -= plane.heights(cut[:, :3])[:, None] * plane.across
-    middle, e2, e3 = axes
-    x = unit(e2 - (e2 @ plane.across) * plane.across)
-    y = cross(plane.across, x)
-    y *= np.sign(y @ e3)
-    return replace(section, points=(cut[:, :3] - middle) @ np.stack((x, y), axis=1))
+    places, middle = cut[:, :3], axes[0]
+    places -= plane.heights(places)[:, None] * plane.across
+    x, y = axes[1:] - (axes[1:] @ plane.across)[:, None] * plane.across
+    x /= sqrt(x @ x)
+    y -= (y @ x) * x
+    y /= sqrt(y @ y)
+    return replace(section, points=(places - middle) @ np.stack((x, y), axis=1))

@@ -67,12 +67,14 @@ def roots(function, low, high, at_low, at_high):
         if step % 4 == 3:
             middle = (low + high) / 2
         found = function(middle)
+        if (np.abs(found) < SMALL).all():
+            return middle
         kept = (found >= 0) == (at_high >= 0)  # the same end moves again
         less = 1 - found / np.where(at_high, at_high, 1.0)
         less = np.where(less > 0, less, 0.5)
         low, at_low = np.where(kept, low, high), np.where(kept, at_low * less, at_high)
         high, at_high = middle, found
-        if (np.abs(found) < SMALL).all() or (np.abs(high - low) <= width).all():
+        if (np.abs(high - low) <= width).all():
             break
     return high
 

@@ -223,7 +223,7 @@ class PDCurveSweep(Operand):
         with at("direction"):
             stations = stand(self.samples, self.trajectory, self.direction, reach)
             axis = bending.placed(stations)
-        rings = np.stack((axis.points, axis.e2, axis.e3))
+        rings = bending.axes(stations)
         backward = running_backward(stations, rings, section.centroid, False)
         told += told_backward(stations) + folds_told(
             stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support
@@ -238,9 +238,7 @@ class PDCurveSweep(Operand):
         limits = self.start, self.end
         if stations.closed or not any(isinstance(limit, Plane) for limit in limits):
             require_few(len(section.points) * len(stations.s), "samples")
-            axis = bending.placed(stations)
-            axes = np.stack((axis.points, axis.e2, axis.e3))
-            return Rings(section, axis.u, stations.s, axes, (section, section))
+            return Rings(section, stations.u, stations.s, bending.axes(stations), (section, section))
         from ..rings.trimming import trimmed  # most sweeps have no plane, and Blender starts a little sooner without
 
         size = float(np.abs(section.points).max())
@@ -311,8 +309,7 @@ class PDCurveSweep(Operand):
         section, bending, _, _ = self.laid_out()
         steps = bending.total / float(np.linalg.norm(section.points, axis=1).max())
         stations = place(self.trajectory, Count(int(np.clip(steps + (not self.trajectory.closed), 2, most))))
-        axis = bending.placed(stations)
-        rings = np.stack((axis.points, axis.e2, axis.e3))
+        axis, rings = bending.placed(stations), bending.axes(stations)
         loops = tuple(np.split(np.einsum("mk,kni->nmi", affine(section.points), rings), section.offsets[1:-1], axis=1))
         return Frames(stations.u, stations.s, axis.points, axis.e1, axis.e2, axis.e3, loops)
 

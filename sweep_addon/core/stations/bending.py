@@ -64,6 +64,10 @@ class Bending:
         e2, e3, told = carried(self.frame, stations)
         return Axis(stations.u, stations.points, stations.tangent, -e2 if self.mirrored else e2, e3, told)
 
+    def axes(self, stations):
+        """The axis, e2 and e3 at stations of the trajectory, which nobody may write to: (3, n, 3)."""
+        return together(self, stations)
+
     def axis(self, z):
         """The axis at heights z, (n,) in any order."""
         s = z % self.total if self.trajectory.closed else np.clip(z, 0.0, self.total)
@@ -85,3 +89,12 @@ class Bending:
 def carried(frame, stations):
     """The axes of a frame that nothing twists, made once for each stations."""
     return axes(frame, stations, np.zeros(len(stations.s)))
+
+
+@lru_cache(maxsize=4)
+def together(bending, stations):
+    """What `Bending.axes` gives, made once for the same stations."""
+    axis = bending.placed(stations)
+    found = np.stack((axis.points, axis.e2, axis.e3))
+    found.setflags(write=False)
+    return found
