@@ -29,6 +29,7 @@ UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (3.4028234663852886e38, 2**31 - 1)  # of a float32, and of an int32
 LIMITS = {"min", "max", "soft_min", "soft_max"}
 ASIDE = (Grammar, Values)  # a group has a text and sliders for them, an operator hidden text
+OBJECT = ("OBJECT", "Object", "An object of the scene", 0)
 SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 
 
@@ -36,26 +37,34 @@ def annotations(declared, pointers=False, update=None):
     """The properties of some parameters; an operator can hold no pointers, and no lists of what may hold some."""
     made = {}
     for p in declared:
-        if not p.item:
-            made |= annotated(p, p.name, pointers and (bool(p.accepts) or p.type in ASIDE), update)
-        elif pointers:
-            made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **told(p))
+        if p.item:
+            if pointers:
+                made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **told(p))
+        elif pointers and p.type in ASIDE:
+            made |= held_aside(p, update)
+        else:
+            made |= annotated((p,), "", update)
+            if pointers and p.accepts:
+                made |= by_object(p, update)
     return made
 
 
 @cache
-def annotated(p, name, pointers, update):
-    """The properties of one parameter and of its kinds, shared by all that have it: most of a shape's are another's."""
-    if p.type in ASIDE and pointers:
-        return held_aside(p, name, update)
-    made = {name: define(p, pointers, update)}
-    for kind in p.kinds:
-        for q in inside(p, kind):
-            made |= annotated(q, f"{name}_{spelled(kind, '_')}_{q.name}", pointers and bool(q.accepts), update)
-    if pointers:
-        poll = only(p.accepts)
-        made[f"{name}_object"] = bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, update=update, **told(p))
+def annotated(declared, start, update):
+    """The properties of parameters and of their kinds, whose names begin so; shared, for most are another shape's."""
+    made = {}
+    for p in declared:
+        made[start + p.name] = define(p, update)
+        for kind in p.kinds:
+            made |= annotated(inside(p, kind), f"{start}{p.name}_{spelled(kind, '_')}_", update)
     return made
+
+
+def by_object(p, update):
+    """The choice of a parameter's kind with one more, an object of the scene, and that object."""
+    poll = only(p.accepts)
+    chosen = bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, update=update, **told(p))
+    return {p.name: define(p, update, OBJECT), f"{p.name}_object": chosen}
 
 
 VALUES = type(
@@ -65,15 +74,15 @@ VALUES = type(
 )
 
 
-def held_aside(p, name, update):
+def held_aside(p, update):
     """The properties of a text, which a text of the file holds too, or of the numbers in one."""
     if p.type is Values:
-        return {name: bpy.props.PointerProperty(type=VALUES, **told(p))}
+        return {p.name: bpy.props.PointerProperty(type=VALUES, **told(p))}
     text = bpy.props.PointerProperty(type=bpy.types.Text, update=update, **told(p))
     understood = bpy.props.StringProperty(
         options={"HIDDEN"}, name="Understood", description="The last text without a mistake"
     )
-    return {name: define(p, False, update), f"{name}_text": text, f"{name}_understood": understood}
+    return {p.name: define(p, update), f"{p.name}_text": text, f"{p.name}_understood": understood}
 
 
 def told(p):
@@ -90,8 +99,8 @@ def item_group(kind, update):
 
 
 @cache
-def define(p, pointers, update):
-    """The property of one parameter, whatever its name is where it is used."""
+def define(p, update, *more):
+    """The property of one parameter, whatever its name is where it is used; of a choice with more items."""
     default = stored(p, p.shown if p.default is None else p.default)
     common = {"name": label(p), "description": p.doc, "default": default, "update": update}
     if p.type in ASIDE:
@@ -103,9 +112,7 @@ def define(p, pointers, update):
     if p.type is str or p.is_list:
         return bpy.props.StringProperty(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
     items = [item(kind, summary(kind)) for kind in p.kinds] or [item(member, member.value) for member in p.type]
-    if pointers:
-        items.append(("OBJECT", "Object", "An object of the scene", 0))
-    return bpy.props.EnumProperty(items=items, **common)
+    return bpy.props.EnumProperty(items=[*items, *more], **common)
 
 
 def number(p, common):

@@ -31,14 +31,15 @@ def later(module, *names):
     >>> later("core.vectors").unit is unit.meant
     True
     """
-    found = tuple(Later(module, name) for name in names or [""])
-    return found if len(found) > 1 else found[0]
+    if len(names) > 1:
+        return tuple([Later(module, name) for name in names])
+    return Later(module, *names)
 
 
 class Later:
     """What stands for a function, a class or a module until it is used, and afterwards passes on what it is asked."""
 
-    def __init__(self, module, name):
+    def __init__(self, module, name=""):
         self.module, self.name = module, name
 
     @cached_property

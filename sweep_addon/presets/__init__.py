@@ -6,11 +6,9 @@ Those in a folder are sizes of one thing and bear its name: ``screw_thread/m8.to
 """
 
 import os
-import re
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-from ..core.declared.frozen import frozen
 from ..core.declared.parameters import at, pick
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES
@@ -20,17 +18,17 @@ shape_of, tables = later("core.declared.forms", "shape_of", "tables")
 
 FOLDER = Path(__file__).parent
 GROWN = "l_system"  # the folder of presets that are grammars, each a thing of its own
-NUMBERS = re.compile("([0-9]+)")
-SMALL = re.compile(r"(?<= )(A|And|By|In|Of|On|The|To|With)(?= )")  # words that titles do not begin with
+DIGITS = "0123456789"
+SMALL = {"A", "And", "By", "In", "Of", "On", "The", "To", "With"}  # words that titles do not begin or end with
 
 
-@frozen
 class Preset:
     """A job file, whose first line is a comment that says what the shape is."""
 
-    file: str  # below this folder: there are dozens, and starting Blender asks for no path
-    group: str  # the folder that it is in, whose presets are offered together; none for most
-    name: str
+    def __init__(self, group, stem):
+        self.group = group  # the folder that it is in, whose presets are offered together; none for most
+        self.file = os.path.join(group, f"{stem}.toml")  # in `FOLDER`: starting Blender makes dozens, and asks no path
+        self.name = f"{group}_{stem}" if group else stem
 
     @cached_property
     def path(self):
@@ -47,25 +45,28 @@ class Preset:
 
 
 def title(name):
-    """The name of a preset for people."""
-    words = name.replace("_", " ").title().replace("Csg", "CSG")
-    return SMALL.sub(lambda word: word.group().lower(), words)
+    """The name of a preset for people.
+
+    >>> title("tree_of_the_plain"), title("csg_on")
+    ('Tree of the Plain', 'CSG On')
+    """
+    first, *words = name.replace("_", " ").title().replace("Csg", "CSG").split(" ")
+    return " ".join((first, *(word.lower() if word in SMALL else word for word in words[:-1]), *words[-1:]))
 
 
 def found():
     """The presets in the order in which they are offered."""
     folder = str(FOLDER)
-    found = ((path[len(folder) + 1 :], file) for path, _, files in os.walk(folder) for file in files)
-    for parts in sorted((part for part in found if part[1].endswith(".toml")), key=counted):
-        group, file = parts
-        name = file.removesuffix(".toml")
-        yield Preset(os.path.join(*parts), group, f"{group}_{name}" if group else name)
+    files = ((path[len(folder) + 1 :], file) for path, _, files in os.walk(folder) for file in files)
+    stems = [(group, file.removesuffix(".toml")) for group, file in files if file.endswith(".toml")]
+    return (Preset(*parts) for parts in sorted(stems, key=counted))
 
 
 def counted(parts):
-    """The parts of a path to sort it by, numbers as numbers: m3 comes before m10."""
-    words = NUMBERS.split("/".join(filter(None, parts)))
-    return [int(word) if word.isdigit() else word for word in words]  # every other one is a number
+    """The parts of a path to sort it by, a number at its end as one: m3 comes before m10."""
+    path = "/".join(filter(None, parts))
+    words = path.rstrip(DIGITS)
+    return words, int(path[len(words) :] or 0)
 
 
 PRESETS = tuple(found())

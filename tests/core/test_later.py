@@ -5,13 +5,13 @@
 import ast
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
-from sweep_addon.core.declared.parameters import coerce, inside, parameters
+from sweep_addon.core.declared.parameters import Parameter, coerce, inside, parameters
 from sweep_addon.core.later import later
 from sweep_addon.core.shapes.kinds import SHAPES
 from sweep_addon.core.variation.laws import Constant, Formula
@@ -108,7 +108,7 @@ def test_what_stands_for_a_class_knows_its_objects():
 def defaults(declared):
     """Every value that is declared as a default, of the kinds of unions too."""
     for p in declared:
-        yield from (p.default,) if p.kinds else ()
+        yield from (p.default, *p.others) if p.kinds else ()
         yield from defaults(parameters(p.item)) if p.item else ()
         for kind in p.kinds:
             yield from defaults(inside(p, kind))
@@ -136,6 +136,15 @@ def every(declared):
         yield from every(parameters(p.item)) if p.item else ()
         for kind in p.kinds:
             yield from every(inside(p, kind))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_every_word_that_a_field_says_is_one_that_parameters_have(shape):
+    """Parameters are made without asking, and a word that nobody knows would be said to nobody."""
+    found, known = list(every(parameters(shape))), {field.name for field in fields(Parameter)}
+    kept = known | {"kinds", "item", "is_list"}  # once somebody has asked
+    assert found
+    assert [(p.name, word) for p in found for word in vars(p) if word not in kept] == []
 
 
 @pytest.mark.parametrize("shape", SHAPES)

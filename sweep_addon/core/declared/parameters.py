@@ -9,7 +9,7 @@ is made: whoever asks, the refusal is the same sentence.
 """
 
 from contextlib import contextmanager, suppress
-from dataclasses import field, fields, replace
+from dataclasses import field, fields
 from enum import EnumMeta
 from functools import cache, cached_property, partial
 from math import inf
@@ -127,7 +127,7 @@ class Parameter:
     soft_maximum: float | None = None  # where a slider ends; typing may go on to the maximum
     columns: int | None = None  # numbers in a row of an array; None: a row is one number
     most: float = inf  # rows of an array, of all together where there are several
-    others: dict | None = None  # kinds, and defaults of theirs that are others here
+    others: tuple = ()  # values of kinds that are not the default, which such kinds have here by default
     accepts: tuple[str, ...] = ()  # the types of Blender objects that can stand for the value
     splines: tuple[str, ...] = ()  # asked of too where a Blender curve with such splines stands for the kind
     shown: object = None  # what a property of Blender, which knows no None, has for a default that is None
@@ -146,6 +146,9 @@ class Parameter:
     @cached_property
     def is_list(self):
         return self.type in (Array, tuple[Array, ...])
+
+
+ANY = Parameter("", object)  # of which all others are altered copies: to check each word takes longer, and is a test's
 
 
 def parameter(default, doc, **metadata):
@@ -199,7 +202,7 @@ def proven(cls, **given):
 @cache
 def parameters(cls):
     """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
-    return tuple(settled(Parameter(name=f.name, type=f.type, default=f.default, **f.metadata)) for f in fields(cls))
+    return tuple(settled(altered(ANY, name=f.name, type=f.type, default=f.default, **f.metadata)) for f in fields(cls))
 
 
 def settled(p):
@@ -212,20 +215,23 @@ def settled(p):
 def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
     likened = getattr(kind, "like", lambda other: None)
-    default = union.default if isinstance(union.default, kind) else likened(union.default)
-    others = (union.others or {}).get(kind, {})
+    values = (value for value in (union.default, *union.others) if isinstance(value, kind))
+    default = next(values, None) or likened(union.default)
+    return of_kind(kind, default, union.unit, union.doc if any(p.shorthand for p in parameters(kind)) else "")
+
+
+@cache
+def of_kind(kind, default, unit, doc):
+    """The same for all unions that say the same: the values of the default, if there is one, and of what is meant."""
     return tuple(
-        told(p, union, coerce(p, others[p.name]) if p.name in others else getattr(default, p.name, p.default))
+        told(p, getattr(default, p.name, p.default), p.unit or unit, doc if p.shorthand else p.doc)
         for p in parameters(kind)
     )
 
 
-def told(p, union, default):
-    """A parameter of a kind with what a union says of it."""
-    unit, doc = p.unit or union.unit, union.doc if p.shorthand else p.doc
-    if default is p.default and unit is p.unit and doc is p.doc:
-        return p
-    return said(p, default, unit, doc)
+def told(p, default, unit, doc):
+    """A parameter of a kind with what a union says of it; itself if it says so already."""
+    return p if default is p.default and unit is p.unit and doc is p.doc else said(p, default, unit, doc)
 
 
 @cache
@@ -260,7 +266,7 @@ def coerce(p, value):
         require(isinstance(value, (list, tuple, np.ndarray)), "must be a list", value)
         require(rest == [...] or len(value) == 1 + len(rest), f"must be a list of {1 + len(rest)}", value)
         require_few(p, sum(max(1, rows(item)) for item in value))
-        part = replace(p, type=first)
+        part = altered(p, type=first)
         return tuple(coerce(part, item) for item in value)
     if hasattr(p.type, "coerced"):
         return p.type.coerced(value)

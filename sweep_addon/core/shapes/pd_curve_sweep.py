@@ -8,7 +8,7 @@ from math import radians
 
 import numpy as np
 
-from ..contours import Circle, Contour, Fit, Rectangle
+from ..contours import Contour, Fit, Rectangle
 from ..declared.parameters import Array, ShapeError, at, declared, parameter, proven, require
 from ..declared.wording import shown
 from ..grids.texture import Texture
@@ -19,8 +19,8 @@ from ..stations.directions import Cubic, Direction, Tilt
 from ..stations.frames import Frames, turn
 from ..stations.sampling import Count, Sampling, Tolerance, place
 from ..trajectories import Bezier, Polyline, Trajectory
+from ..variation.morph import AS_THICK
 from ..vectors import norms
-from . import generalized_cylinder
 from .generalized_cylinder import ATTRIBUTES, section_of
 from .operand import Operand
 
@@ -34,9 +34,8 @@ folds_told, running_backward = later("core.self_intersection.folds", "folds_told
 told_backward = later("core.rings.steps", "told_backward")
 arc_length = later("core.trajectories.arc_length", "arc_length")
 
-AS_THICK = {**generalized_cylinder.AS_THICK, Circle: {"radius": 0.1}, Rectangle: {"width": 0.3, "height": 0.1}}
-SMOOTH = {Polyline: {"corner": "round"}}
-AT_END = {Plane: {"point": (0, 1, 1), "normal": (0, 1, 0)}}  # of the trajectory that there is by default
+SMOOTH = (proven(Polyline, corner="round"),)
+AT_END = (Plane((0, 1, 1), (0, 1, 0)),)  # of the trajectory that there is by default
 COARSE, FINEST = 1e-3, 1e-6  # of the contour: how far from the cut the edge of a cap may be where samples do not say
 CORNER = radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
 

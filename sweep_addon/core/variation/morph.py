@@ -5,20 +5,21 @@
 from enum import Enum
 
 from ..contours import Aerofoil, Circle, Contour, Ellipse, Outline, Rectangle, RegularPolygon, Star, Superellipse
-from ..declared.parameters import declared, parameter
+from ..declared.parameters import declared, parameter, proven
 
 __all__ = ["Blend", "Match", "Morph"]
 
-AS_THICK = {  # as the tube of a circle: so that another contour in its place passes between the turns of a helix, too
-    Circle: {"radius": 0.1},
-    Ellipse: {"radius_x": 0.14, "radius_y": 0.07},
-    Rectangle: {"width": 0.1, "height": 0.2},
-    RegularPolygon: {"radius": 0.1},
-    Star: {"outer": 0.12, "inner": 0.05},
-    Superellipse: {"width": 0.2, "height": 0.15},
-    Aerofoil: {"chord": 0.25},
-    Outline: {"loops": [[(-0.1, -0.1), (0.1, -0.1), (0.1, -0.06), (-0.06, -0.06), (-0.06, 0.1), (-0.1, 0.1)]]},
-}
+LOOP = [(-0.1, -0.1), (0.1, -0.1), (0.1, -0.06), (-0.06, -0.06), (-0.06, 0.1), (-0.1, 0.1)]
+AS_THICK = (  # as the tube of a circle: so that another contour in its place passes between the turns of a helix, too
+    Circle(0.1),
+    Ellipse(0.14, 0.07),
+    Rectangle(0.1, 0.2),
+    RegularPolygon(radius=0.1),
+    Star(outer=0.12, inner=0.05),
+    Superellipse(0.2, 0.15),
+    proven(Aerofoil, chord=0.25),
+    proven(Outline, loops=[LOOP]),
+)
 
 
 class Match(Enum):
