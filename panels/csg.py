@@ -67,11 +67,11 @@ def step_of(ob):
 def draw_tree(layout, context, ob):
     """What the tree is, what is wrong with it, its steps, and the parameters of the operand that is picked."""
     say = sentences(context)
-    steps = trees.booleans(ob)
+    steps, rest = trees.parted(ob)
     held, bent = held_by(steps)
     used = {step.solver for step in steps}
     layout.label(text=summary(len(steps), used))
-    draw_warnings(layout, ob, steps, held, bent, used, say)
+    draw_warnings(layout, ob, steps, rest, held, bent, used, say)
     picked = trees.picked(ob)
     row = layout.row()
     draw_rows(row.column(align=True), ob, steps, held, bent, picked)
@@ -96,16 +96,16 @@ def draw_rows(layout, ob, steps, held, bent, picked):
 
     Known are what the steps hold, and which of that has modifiers.
     """
-    rows, depths = zip(*lines(ob, steps, held, bent, 0, {ob}), strict=True)
-    at = rows.index(picked) if picked in rows else 0
+    rows = [((ob, step), 0) for step in steps] if not bent else list(lines(ob, steps, held, bent, 0, {ob}))
+    at = next((number for number, (row, _) in enumerate(rows) if row == picked), 0) if picked else 0
     first = max(0, min(at - MOST_ROWS // 2, len(rows) - MOST_ROWS))
     last = min(first + MOST_ROWS, len(rows))
     if first:
-        name_step(layout.operator("object.sweep_step_pick", text=f"{first} more above"), ob, *rows[first - 1])
-    for (owner, modifier), depth in zip(rows[first:last], depths[first:last], strict=True):
+        name_step(layout.operator("object.sweep_step_pick", text=f"{first} more above"), ob, *rows[first - 1][0])
+    for (owner, modifier), depth in rows[first:last]:
         draw_step(layout, ob, owner, modifier, depth, picked)
     if last < len(rows):
-        name_step(layout.operator("object.sweep_step_pick", text=f"{len(rows) - last} more below"), ob, *rows[last])
+        name_step(layout.operator("object.sweep_step_pick", text=f"{len(rows) - last} more below"), ob, *rows[last][0])
 
 
 def name_step(button, active, owner, modifier):
@@ -137,21 +137,23 @@ def held_by(steps):
     return held, {operand for operand in held if operand and operand.modifiers}
 
 
-def draw_warnings(layout, ob, steps, held, bent, used, say):
-    """What keeps the tree from being what it says, each with what mends it."""
+def draw_warnings(layout, ob, steps, rest, held, bent, used, say):
+    """What keeps the tree from being what it says, each with what mends it; known is what else the object has."""
     fast = solvers.FAST in used
     bare = dict.fromkeys(operand for operand in held[:MOST_PARTS] if operand and operand not in bent)
     others = solvers.parts_of(list(bent), {ob: None})[: max(MOST_PARTS - len(bare), 1)]
-    why = solvers.seen_exact(ob, bare, others)
+    mirrored = ob.matrix_world.is_negative
+    doubtful = solvers.doubtful(bare, mirrored)
+    why = solvers.seen_exact((*doubtful, *others), mirrored)
     lacking = solvers.lacking()
     if why or lacking:
         say(layout, f"{why}." if why and not (lacking and fast) else lacking, "ERROR" if fast else "INFO")
-    meeting = solvers.known_to_cross([*others, *bare])
+    meeting = solvers.known_to_cross([*others, *doubtful])
     for part in meeting:
         say(layout, f"{part.name!r} meets itself: make it a solid first.", "ERROR")
     if meeting or bool(why or lacking) == fast:
         layout.operator("object.sweep_tree_choose_solver")
-    for sentence in filter(None, map(solvers.lost_faces, (ob, *others, *bare))):
+    for sentence in filter(None, map(solvers.lost_faces, (ob, *others, *doubtful))):
         say(layout, sentence, "ERROR")
     if trees.is_empty(ob):
         say(layout, "Nothing is left: the steps take all of it away.", "ERROR")
@@ -164,7 +166,7 @@ def draw_warnings(layout, ob, steps, held, bent, used, say):
     if shared:
         sentence = "{0.name!r} is an operand of {1.name!r} too: Duplicate copies operands."
         say(layout, sentence.format(*shared), "INFO")
-    if len(ob.modifiers) > len(steps) and trees.others(ob) or not all(lost):  # some take a collection
+    if rest or not all(lost):  # some take a collection
         say(layout, "Modifiers that are no Booleans of an object are no part of the tree.", "INFO")
 
 

@@ -10,8 +10,8 @@ CHARACTER = 7.0  # pixels of a letter of the interface's font, at a scale of 1; 
 
 def sentences(context):
     """A function that draws a sentence in as many lines as the sidebar's width asks for."""
-    pixels = context.region.width - 60 * context.preferences.system.ui_scale
-    width = max(int(pixels / (CHARACTER * context.preferences.system.ui_scale)), 12)
+    scale = context.preferences.system.ui_scale
+    width = max(int((context.region.width - 60 * scale) / (CHARACTER * scale)), 12)
 
     def say(layout, sentence, icon, alert=False):
         column = layout.column(align=True)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Declared parameters as a layout: the same lines in the sidebar and in the panel of the last operation."""
 
+from functools import cache
+
 from ..core.declared.parameters import inside, parameters, spelled
 from ..core.declared.wording import titled
 from .rna import ASIDE, chosen_kinds, label, listed
@@ -14,9 +16,9 @@ def draw(layout, group, declared):
 
     Returns the bodies of the open sub-panels, by the groups' names.
     """
-    bodies, declared = {"": layout}, [p for p in declared if p.type not in ASIDE]  # which have a place of their own
+    bodies, declared = {"": layout}, in_order(tuple(declared))
     idle = {p.group for p in declared if p.item and not hasattr(group, p.name)}  # of an operator, which has no lists
-    for p in sorted((p for p in declared if p.group not in idle), key=lambda p: bool(p.group)):
+    for p in (p for p in declared if p.group not in idle):
         if p.group not in bodies:
             header, body = layout.panel(f"sweep_{p.group.lower().replace(' ', '_')}", default_closed=True)
             header.label(text=p.group)
@@ -24,6 +26,12 @@ def draw(layout, group, declared):
         if bodies[p.group]:
             draw_one(bodies[p.group], group, p, p.name)
     return {name: body for name, body in bodies.items() if body}
+
+
+@cache
+def in_order(declared):
+    """Parameters as they are drawn, those of no group first, without those that have a place of their own."""
+    return sorted((p for p in declared if p.type not in ASIDE), key=lambda p: bool(p.group))
 
 
 def draw_one(layout, group, p, name):

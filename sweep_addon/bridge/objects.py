@@ -21,6 +21,7 @@ axis_curves, grove, trees = later("bridge.axis_curves"), later("bridge.grove"), 
 
 SLOTS = 2  # of materials: of sides and of ends
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
+GROWN = spelled(Plant, "_").upper()
 
 
 def new_mesh(shape, name=None, **objects):
@@ -149,7 +150,7 @@ def is_swept(ob):
 def is_grown(mesh):
     """Whether a mesh is made of a grammar, whose text may be edited."""
     sweep = getattr(mesh, "sweep", None)  # None where the extension is not enabled
-    return sweep is not None and SHAPE.get(sweep.kind) is Plant
+    return sweep is not None and sweep.kind == GROWN
 
 
 def is_united(ob):

@@ -139,24 +139,33 @@ def mesh_of(ob):
     return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
 
 
-def seen_exact(ob, bare, others):
-    """Why a tree needs the exact solver as far as a draw has time to look, or nothing.
+def doubtful(bare, mirrored):
+    """Of parts without modifiers those of which there may be something to tell, by one quick look at each.
 
     Parameters
     ----------
-    ob : bpy.types.Object
-        The result.
-    bare, others : iterables of bpy.types.Object
-        Parts of it that are known to have no modifiers, and further ones.
+    bare : iterable of bpy.types.Object
+    mirrored : bool
+        Whether the result's axes are left-handed, by the matrices that were last evaluated.
+
+    Returns
+    -------
+    list of bpy.types.Object
+        What is open, mirrored or a plant, and what was found to meet itself.
     """
-    mirrored = ob.matrix_world.is_negative
+    found = []
     for part in bare:
         mesh = part.data
-        edges = len(mesh.edges)
-        fits = len(mesh.loops) == 2 * edges > 0 and part.matrix_world.is_negative == mirrored
-        if not fits or objects.is_grown(mesh):
-            return why_exact(part, mirrored, seems_closed)
-    return next(filter(None, (why_exact(part, mirrored, seems_closed) for part in others)), "")
+        sweep, edges = mesh.sweep, len(mesh.edges)
+        closed = len(mesh.loops) == 2 * edges > 0
+        if not closed or sweep.places or sweep.kind == objects.GROWN or part.matrix_world.is_negative != mirrored:
+            found.append(part)
+    return found
+
+
+def seen_exact(parts, mirrored):
+    """Why a tree needs the exact solver, as far as a draw has time to look at some parts of it, or nothing."""
+    return next(filter(None, (why_exact(part, mirrored, seems_closed) for part in parts)), "")
 
 
 def known_to_cross(parts):

@@ -48,9 +48,17 @@ def is_empty(ob):
     return len(ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices) == 0
 
 
+def parted(ob):
+    """The Boolean modifiers of an object, and those that are no part of the tree, but for one that draws its cuts."""
+    taken, rest = [], []
+    for modifier in ob.modifiers:
+        (taken if modifier.type == "BOOLEAN" else rest).append(modifier)
+    return taken, [modifier for modifier in rest if not is_drawer(modifier)]
+
+
 def others(ob):
     """The modifiers of a tree that are no part of it, but for the one that draws its cuts as edges."""
-    return [modifier for modifier in ob.modifiers if modifier.type != "BOOLEAN" and not is_drawer(modifier)]
+    return parted(ob)[1]
 
 
 def steps(ob):
