@@ -171,13 +171,21 @@ def write_texture(mesh, chart, known):
         layer = attribute(mesh, TEXTURE, "FLOAT2", "CORNER")
         room = Room(layer.data, "vector", 2, SCRATCH.array)
         room.fill(chart.uv(np.float32, room).ravel())
-    values = (chart.along(np.float32) if along else {}) | (chart.across(np.float32) if across else {})
+    held = kept(mesh, along, known[1]) if along else ()
+    values = (chart.along(np.float32, held) if along else {}) | (chart.across(np.float32) if across else {})
     for name, array in values.items():
         kind = "FLOAT" if array.ndim == 1 else "QUATERNION"
         attribute(mesh, name, kind, "POINT").data.foreach_set("value", array.ravel())
     for names, key, before in zip(NAMES, chart.keys, known, strict=True):
         for name in filter(mesh.attributes.get, names if before and not key else ()):
             mesh.attributes.remove(mesh.attributes[name])
+
+
+def kept(mesh, key, before):
+    """The attributes along that a mesh has already, where the key has a part for each that says so: their names."""
+    parts = zip(NAMES[1], key.split(","), before.split(","), strict=False)
+    same = (name for name, now, then in parts if now == then) if "," in key and "," in before else ()
+    return tuple(filter(mesh.attributes.get, same))
 
 
 def attribute(mesh, name, type, domain):

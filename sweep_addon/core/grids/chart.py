@@ -47,10 +47,14 @@ class Chart:
 
     @cached_property
     def keys(self):
-        """Three short texts that differ where the texture, and attributes along and across, do; empty for none."""
+        """Three short texts that differ where the texture, and attributes along and across, do; empty for none.
+
+        That of the attributes along has a part for each of them, so that one may stay where the other changes.
+        """
         if self.texture is Texture.NONE and not self.named:
             return "", "", ""
-        along, across = checksum(self.u, self.s), checksum(self.around, *self.ends)
+        u = checksum(self.u.astype(np.float32))  # as Blender keeps it: where lengths change, rounding alone changes u
+        along, across = f"{u},{checksum(self.s)}", checksum(self.around, *self.ends)
         texture = "" if self.texture is Texture.NONE else self.texture.name + along + across
         return (texture, along, across) if self.named else (texture, "", "")
 
@@ -142,14 +146,15 @@ class Chart:
                 flat = flat + (after, 0)
             yield flat[points].astype(dtype)
 
-    def along(self, dtype=np.float64):
-        """Values at each vertex that depend on its station: u and arc_length."""
+    def along(self, dtype=np.float64, but=()):
+        """Values at each vertex that depend on its station: u and arc_length, but for what is named."""
         if not self.named:
             return {}
         whole, tips = self.grid.whole, list(self.grid.tips)
         return {
             name: self.spread(values[whole], values[tips], values[0], dtype)
             for name, values in (("u", self.u), ("arc_length", self.s))
+            if name not in but
         }
 
     def across(self, dtype=np.float64):

@@ -29,10 +29,10 @@ class Leaning(Chart):
 
     @cached_property
     def keys(self):
-        """The texts of a chart, which here hang on all heights."""
+        """The texts of a chart, which here hang on all heights, and so have no parts."""
         texture, along, across = super().keys
         own = checksum(self.heights, self.parameters)
-        return texture and texture + own, along and along + own, across
+        return texture and texture + own, along and along.replace(",", "") + own, across
 
     @property
     def extent(self):
@@ -61,9 +61,9 @@ class Leaning(Chart):
                 sides[:, start - ring : end - ring, corner, 0] = line[:, own][:, start - first : end - first]
         return uv
 
-    def along(self, dtype=np.float64):
+    def along(self, dtype=np.float64, but=()):
         """Values at each vertex that depend on its place along the axis: u and arc_length."""
-        values = super().along(dtype)
+        values = super().along(dtype, but)
         own = {"u": self.parameters, "arc_length": self.heights}
         for name in values:
             for theirs, which in standing(self.leaning, self.rings):

@@ -17,7 +17,8 @@ class Charts:
 
     @property
     def keys(self):
-        return tuple("".join(keys) for keys in zip(*(chart.keys for chart in self.parts), strict=True))
+        keys = zip(*(chart.keys for chart in self.parts), strict=True)
+        return tuple("".join(some).replace(",", "") for some in keys)  # of several, no part is one attribute's
 
     @property
     def rings(self):
@@ -27,8 +28,8 @@ class Charts:
         parts = [chart.uv(dtype) for chart in self.parts]
         return None if parts[0] is None else np.concatenate(parts)
 
-    def along(self, dtype=np.float64):
-        return together([chart.along(dtype) for chart in self.parts])
+    def along(self, dtype=np.float64, but=()):
+        return together([chart.along(dtype, but) for chart in self.parts])
 
     def across(self, dtype=np.float64):
         return together([chart.across(dtype) for chart in self.parts])

@@ -38,8 +38,8 @@ class Selected:
         whole = self.chart.uv(dtype)
         return None if whole is None else whole[self.corners]
 
-    def along(self, dtype=np.float64):
-        return {name: values[self.vertices] for name, values in self.chart.along(dtype).items()}
+    def along(self, dtype=np.float64, but=()):
+        return {name: values[self.vertices] for name, values in self.chart.along(dtype, but).items()}
 
     def across(self, dtype=np.float64):
         return {name: values[self.vertices] for name, values in self.chart.across(dtype).items()}

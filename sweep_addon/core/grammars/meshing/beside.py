@@ -38,8 +38,8 @@ class Held:
     def uv(self, dtype=np.float64, empty=np.empty):
         return None if self.chart.uv(dtype) is None else np.zeros((self.corners, 2), dtype)
 
-    def along(self, dtype=np.float64):
-        return {name: np.zeros(self.vertices, dtype) for name in self.chart.along(dtype)}
+    def along(self, dtype=np.float64, but=()):
+        return {name: np.zeros(self.vertices, dtype) for name in self.chart.along(dtype, but)}
 
     def across(self, dtype=np.float64):
         none = np.zeros(self.vertices)
@@ -64,8 +64,8 @@ class Numbered:
     def uv(self, dtype=np.float64, empty=np.empty):
         return self.chart.uv(dtype, empty)
 
-    def along(self, dtype=np.float64):
-        return self.chart.along(dtype)
+    def along(self, dtype=np.float64, but=()):
+        return self.chart.along(dtype, but)
 
     def across(self, dtype=np.float64):
         found = self.chart.across(dtype)

@@ -178,11 +178,11 @@ class Chart:
             if lengths:
                 cap[..., 0] += (-3 * size if way < 0 else along.take(ring) + size)[:, None]
 
-    def along(self, dtype=np.float64):
-        """Values at each vertex in metres, or by metres: u, arc_length, radius and v, the length round it."""
+    def along(self, dtype=np.float64, but=()):
+        """Values at each vertex in metres, or by metres: u, arc_length, radius and v, round it, but for some."""
         if not self.named:
             return {}
-        found = {name: self.spread(self.skin.value(name), dtype) for name in METRIC}
+        found = {name: self.spread(self.skin.value(name), dtype) for name in METRIC if name not in but}
         if self.skin.shared is None:
             edge = (2 * self.skin.radius * np.sin(np.pi / self.columns)).astype(dtype)
             found["v"] = np.multiply.outer(np.arange(self.columns).astype(dtype), edge).ravel()
