@@ -163,6 +163,30 @@ def test_where_only_places_change_only_they_are_written(scene, monkeypatch):
     assert written == [] and not np.array_equal(places(mesh), before)
 
 
+def test_where_lengths_alone_change_u_stays_and_is_what_it_would_be_anew(scene):
+    """The angle of a helix is the same at every part of its length, however steep it is."""
+    steeper = sw.trajectories.Helix(pitch=0.75)
+    ob = sw.to_object(shape(sw.contours.Circle(0.2), HELIX))
+    ob.data.attributes["u"].data[7].value = 12345.0  # what is written again would not keep it
+    ob.data.sweep.generalized_cylinder.trajectory_helix_pitch = 0.75
+    made = shape(sw.contours.Circle(0.2), steeper).mesh(np.float32)
+    found = {name: attribute(ob.data, name, "value", 1) for name in ("u", "v", "arc_length")}
+    assert found["u"][7] == 12345.0
+    found["u"][7] = made.attributes["u"][7]
+    for name, values in found.items():
+        assert (values == made.attributes[name].astype(np.float32)).all(), name
+
+
+def test_u_is_written_again_where_it_changes_too_and_where_it_was_removed(scene):
+    ob = sw.to_object(shape(sw.contours.Circle(0.2), HELIX))
+    group = ob.data.sweep.generalized_cylinder
+    group.trajectory_helix_turns = 3.0
+    assert attribute(ob.data, "u", "value", 1).max() == np.float32(6 * np.pi)
+    ob.data.attributes.remove(ob.data.attributes["u"])
+    group.trajectory_helix_pitch = 0.75
+    assert attribute(ob.data, "u", "value", 1).max() == np.float32(6 * np.pi)
+
+
 def test_texture_and_attributes_that_are_not_wanted_go_and_come_again(scene):
     mesh = mesh_of(SHAPES["tube"])
     group, names = mesh.sweep.generalized_cylinder, {"UVMap", "u", "v", "arc_length"}

@@ -103,7 +103,8 @@ class Chart:
         for (sides, chosen, along, shares), width in zip(kinds, widths, strict=True):
             # One matrix product lays all corners: along the trajectory + left + right, each by its share.
             rows = np.zeros((3, width // (2 * len(shares)), len(shares), 2), dtype)
-            rows[0, ..., 0] = np.stack([end[chosen] for end in along], axis=-1)
+            for corner, end in enumerate(along):
+                rows[0, :, corner, 0] = end if chosen.all() else end[chosen]
             rows[1, ..., 1], rows[2, ..., 1] = 1 - np.array(shares), shares
             part = uv[start : start + len(sides) * width].reshape(len(sides), width)
             product(sides, rows.reshape(3, width), part)

@@ -7,7 +7,7 @@ column, so that all of them come from one matrix product of the section with the
 has shrunk to nothing is one vertex, a tip, behind all the others, and so is a column that does not move, a pole.
 """
 
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -91,14 +91,20 @@ class Grid:
         return following(np.array(self.offsets))
 
     def bands(self):
-        """Pairs of neighbouring stations (b, 2), and which bands have a tip below and above."""
-        start = np.arange(self.rings if self.closed else self.rings - 1)
-        pairs = np.stack((start, (start + 1) % self.rings), axis=1)
-        tip = np.full(self.rings, False)
-        tip[list(self.tips)] = True
-        pinched = tip[pairs]
-        return pairs, pinched[:, 0], pinched[:, 1]
+        """Pairs of neighbouring stations (b, 2), and which bands have a tip below and above; not to be written into."""
+        return bands(self)
 
     def topology(self):
         """The faces and edges, made once for equal grids."""
         return build(self)
+
+
+@lru_cache(maxsize=8)
+def bands(grid):
+    """The bands of a grid, made once for equal ones: each change of a slider asks for them again."""
+    start = np.arange(grid.rings if grid.closed else grid.rings - 1)
+    pairs = np.stack((start, (start + 1) % grid.rings), axis=1)
+    tip = np.full(grid.rings, False)
+    tip[list(grid.tips)] = True
+    pinched = tip[pairs]
+    return pairs, pinched[:, 0], pinched[:, 1]
