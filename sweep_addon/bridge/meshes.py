@@ -185,13 +185,18 @@ def kept(mesh, key, before):
     """The attributes along that a mesh has already, where the key has a part for each that says so: their names."""
     parts = zip(NAMES[1], key.split(","), before.split(","), strict=False)
     same = (name for name, now, then in parts if now == then) if "," in key and "," in before else ()
-    return tuple(filter(mesh.attributes.get, same))
+    return tuple(name for name in same if is_of(mesh.attributes.get(name), "FLOAT", "POINT"))
 
 
 def attribute(mesh, name, type, domain):
     """The attribute of that name and type, made anew where a person's own is in its way."""
     found = mesh.attributes.get(name)
-    if found and (found.data_type, found.domain) != (type, domain):
+    if found and not is_of(found, type, domain):
         mesh.attributes.remove(found)
         found = None
     return found or mesh.attributes.new(name, type, domain)
+
+
+def is_of(attribute, type, domain):
+    """Whether there is an attribute, and of that type and domain."""
+    return attribute is not None and (attribute.data_type, attribute.domain) == (type, domain)
