@@ -24,6 +24,7 @@ arc_length = later("core.trajectories.arc_length", "arc_length")
 rotated, signed_angle = later("core.stations.rotations", "rotated", "signed_angle")
 turned, wrapped = later("core.stations.rotations", "turned", "wrapped")
 transport = later("core.stations.transport", "transport")
+distinct = later("core.stations.spreading", "distinct")
 
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
 
@@ -97,6 +98,7 @@ class OfItsPlace:
     """What frames share that the place on the trajectory decides: they come back as they began."""
 
     extra_sectors = 0
+    keeps_its_side = True
 
     def extra(self, symmetry):
         """Nothing is added from the start to the end."""
@@ -138,9 +140,12 @@ class Frenet(OfItsPlace):
             if refused:
                 sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
                 raise ShapeError(sentence, "frame.continuation")
-        s, angles, period = continued(self, stations.trajectory)
-        near_by = np.interp(stations.s, s, angles)
-        return np.where(curved, near_by + nearest(found - near_by, period), near_by), told
+        return along_path(self, stations, found, curved)[0], told
+
+    @property
+    def keeps_its_side(self):
+        """Whether it goes on with the side it has where that of its definition changes."""
+        return self.continuation is Continuation.SMOOTH
 
     def towards(self, stations, normals):
         """The angle of the centre of curvature from the rotation-minimizing normals, and where there is one: (n,)."""
@@ -169,16 +174,16 @@ class FixedUp(OfItsPlace):
 
     def angles(self, stations, normals, holonomy, symmetry):
         """The angle of the level normal from the rotation-minimizing normals, (n,), and a warning."""
+        found, defined = self.towards(stations, normals)
+        angles, told = along_path(self, stations, found, defined)
+        if told is None:
+            return angles, ()
+        return angles, (f"Frame: the trajectory runs along the up direction near u = {told}, where no side is up.",)
+
+    def towards(self, stations, normals):
+        """The angle of the level normal from the rotation-minimizing normals, and where there is one: (n,)."""
         level = cross(unit(np.array(self.up)[None]), stations.leave)
-        defined = np.linalg.norm(level, axis=1) > 1e-6
-        found = signed_angle(normals, level, stations.leave)
-        filled = fill(stations, found, defined, holonomy) if defined.any() else np.zeros(len(found))
-        flips = flipping(filled, stations, holonomy)
-        if defined.all() and not flips.any():
-            return found, ()
-        place = lost(stations, defined, flips)
-        told = (f"Frame: the trajectory runs along the up direction near u = {place}, where no side is up.",)
-        return fill(stations, found, defined, holonomy, half=True) if defined.any() else filled, told
+        return signed_angle(normals, level, stations.leave), np.linalg.norm(level, axis=1) > 1e-6
 
 
 Frame = RotationMinimizing | Frenet | FixedUp
@@ -250,8 +255,11 @@ def turn(frame, trajectory):
 
 @lru_cache(maxsize=16)
 def evenly(trajectory):
-    """Arc lengths evenly spaced from end to end, (n,), and the stations there; the end of a closed one is its start."""
-    s = np.linspace(0.0, arc_length(trajectory).total, PLACES)
+    """Arc lengths from end to end, even but for the corners, (n,), and the stations there, without a closed end."""
+    measure = arc_length(trajectory)
+    s = np.concatenate((np.linspace(0.0, measure.total, PLACES), measure.at(trajectory.stops())))
+    s = distinct(s.clip(0.0, measure.total), sampling.SHORTEST_STEP * measure.total)
+    s[-1] = measure.total
     return s, sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
 
 
@@ -295,11 +303,11 @@ def first_normal(tangent):
 
 @lru_cache(maxsize=16)
 def continued(frame, trajectory):
-    """How a Frenet frame goes on along a trajectory, however few contours stand there.
+    """How a frame goes on along a trajectory, however few contours stand there.
 
     Parameters
     ----------
-    frame : Frenet
+    frame : Frenet or FixedUp
     trajectory : Trajectory
 
     Returns
@@ -307,20 +315,32 @@ def continued(frame, trajectory):
     s : (n,) float array
         Arc lengths in metres, evenly spaced from end to end.
     angles : (n,) float array
-        From the rotation-minimizing normals, in radians; 0 where there is no Frenet frame anywhere.
+        From the rotation-minimizing normals, in radians; 0 where the frame is defined nowhere.
     period : float
-        By multiples of which an angle may be off that of the principal normal: half a turn if the frame keeps its side.
+        By multiples of which an angle may be off that by definition: half a turn if the frame keeps its side.
+    place : str or None
+        Where it is first not defined, or turns by more than a right angle at once, as people read it.
     """
     s, placed = evenly(trajectory)
     normals, holonomy = rotation_minimizing(placed)
-    found, curved = frame.towards(placed, normals)
-    if not curved.any():
-        return s, np.zeros(len(s)), tau
-    angles = fill(placed, found, curved, holonomy, half=frame.continuation is Continuation.SMOOTH)
-    period = tau / 2 if np.cos(angles - found)[curved].min() < 0 else tau  # round a closed path it may not keep it
+    found, defined = frame.towards(placed, normals)
+    if not defined.any():
+        return s, np.zeros(len(s)), tau, lost(placed, defined, None)
+    flips = flipping(fill(placed, found, defined, holonomy), placed, holonomy)
+    angles = fill(placed, found, defined, holonomy, half=frame.keeps_its_side)
+    period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
     if placed.closed:
         angles = np.append(angles, angles[-1] + nearest(angles[0] - holonomy - angles[-1], period))
-    return s, angles, period
+    return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips)
+
+
+def along_path(frame, stations, found, defined):
+    """The angles of a frame at stations, (n,), by those of its definition and where there are any, and the place where
+    it is `continued` beyond that, or None.
+    """
+    s, angles, period, place = continued(frame, stations.trajectory)
+    near_by = np.interp(stations.s, s, angles)
+    return np.where(defined, near_by + nearest(found - near_by, period), near_by), place
 
 
 def fill(stations, angles, known, holonomy, half=False):

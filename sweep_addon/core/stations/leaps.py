@@ -8,7 +8,7 @@ from math import tau
 import numpy as np
 
 from . import sampling
-from .frames import JUMP, Continuation, evenly, rotation_minimizing
+from .frames import JUMP, PLACES, Continuation, evenly, rotation_minimizing
 from .rotations import wrapped
 
 PARTS = 16  # of a step with a leap, which is looked for in each: single precision still tells their ends apart
@@ -41,7 +41,8 @@ def leaps(frame, trajectory):
     (True, [])
     """
     s, placed = evenly(trajectory)
-    straight, total = STRAIGHT * s[1], s[-1]
+    total = s[-1]
+    straight = STRAIGHT * total / PLACES
     found = leaping(frame, placed, straight)
     if len(found):
         closer = np.linspace(*found.T, PARTS + 1).ravel()
