@@ -58,23 +58,32 @@ def roots(function, low, high, at_low, at_high):
     """Where a function changes its sign between pairs of places, (n,).
 
     False position with the factor of Anderson and Björck (BIT 13, 1973): an end that stays counts less, by what the
-    last step has gained, so that both ends close in. Each fourth step halves what is left if the others have not.
+    last step has gained, so that both ends close in. Each fourth step halves what is left if the others have not. Who
+    has arrived stays: that step would lead away from a place where the function is 0.
+
+    >>> at_ends = np.array([-1.0, -1.0]), np.array([1.0, 1.0])
+    >>> jump = 1 / 3
+    >>> roots(lambda x: np.array([x[0], np.copysign(1.0, x[1] - jump)]), *at_ends, *at_ends).round(9).tolist()
+    [0.0, 0.333333333]
     """
-    width = 1e-11 * (high - low)
+    width, there = 1e-11 * (high - low), np.zeros(len(low), dtype=bool)
     for step in range(STEPS if len(low) else 0):
         span = at_high - at_low
         middle = high - at_high * (high - low) / np.where(span, span, 1.0)  # none where both ends have met at the place
         if step % 4 == 3:
             middle = (low + high) / 2
+        middle = np.where(there, high, middle)
         found = function(middle)
-        if (np.abs(found) < SMALL).all():
+        none = np.abs(found) < SMALL
+        if none.all():
             return middle
         kept = (found >= 0) == (at_high >= 0)  # the same end moves again
         less = 1 - found / np.where(at_high, at_high, 1.0)
         less = np.where(less > 0, less, 0.5)
         low, at_low = np.where(kept, low, high), np.where(kept, at_low * less, at_high)
         high, at_high = middle, found
-        if (np.abs(high - low) <= width).all():
+        there = none | (np.abs(high - low) <= width)
+        if there.all():
             break
     return high
 
