@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Words derived by arrays are those that reading from left to right derives, for any grammar."""
 
+import numpy as np
 import pytest
 import sequential_deriver
 from grammar_inputs import crowded, grammars, sectioned
@@ -175,11 +176,14 @@ class StoppedError(Exception):
     """What a progress raises to stop."""
 
 
-@pytest.mark.parametrize(
+WAYS = pytest.mark.parametrize(
     "told",
     ["axiom: A(1)\nA(x) -> F A(x+1)", "axiom: A B\nA < B -> A B", "axiom: A\nA -> FA\ndecomposition:\nF -> GG"],
     ids=["forest", "pool", "in order"],
 )
+
+
+@WAYS
 def test_progress_rises_and_may_stop_a_derivation(told):
     parts = []
     system = LSystem.parse(told)
@@ -192,6 +196,13 @@ def test_progress_rises_and_may_stop_a_derivation(told):
 
     with pytest.raises(StoppedError):
         system.derive(20, progress=stop)
+
+
+@WAYS
+def test_progress_has_the_floating_point_errors_of_who_gave_it(told):
+    """Formulas divide by zero in silence; what a caller does in between does not."""
+    with np.errstate(divide="raise"), pytest.raises(FloatingPointError):
+        LSystem.parse(told).derive(3, progress=lambda part: np.float64(1) / np.float64(0))
 
 
 @pytest.mark.parametrize(

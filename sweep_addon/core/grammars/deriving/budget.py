@@ -4,6 +4,8 @@
 
 from time import monotonic
 
+import numpy as np
+
 from ...declared.frozen import frozen
 from ...declared.parameters import ShapeError
 
@@ -52,7 +54,7 @@ class Meter:
 
     def __init__(self, budget, generations, columns, progress):
         self.budget, self.generations, self.columns, self.width = budget, generations, columns, 1 + 8 * columns
-        self.progress = progress or (lambda part: None)
+        self.progress = undisturbed(progress) if progress else (lambda part: None)
         self.done, self.told = 0, monotonic()
         self.end = self.told + budget.seconds
 
@@ -95,6 +97,20 @@ class Meter:
             at = f"generation {min(generation, self.generations)} of {self.generations} took longer"
             raise LateError(f"must take at most {self.budget.seconds:g} seconds, but {at}", "generations")
         return now
+
+
+def undisturbed(progress):
+    """A function of a caller's, for which floating-point errors are again what they are now.
+
+    Formulas silence them, also while it is asked.
+    """
+    errors = np.geterr()
+
+    def told(part):
+        with np.errstate(**errors):
+            progress(part)
+
+    return told
 
 
 def sized(number):
