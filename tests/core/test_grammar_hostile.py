@@ -16,6 +16,8 @@ from test_grammar_language import WHOLE
 from sweep_addon import presets
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import Budget, GrammarError, LSystem
+from sweep_addon.core.grammars.deriving.neighbours import Neighbours
+from sweep_addon.core.grammars.deriving.tables import CLOSES, OPENS, SEEN
 
 OFFERED = [str(presets.shape(preset.name).system) for preset in presets.PRESETS if preset.group == presets.GROWN]
 SMALL = Budget(modules=5000, bytes=5_000_000, seconds=1)
@@ -138,7 +140,8 @@ RUNAWAY = {  # text, generations
     "no growth, in order": ("axiom: AB%\nA < B -> A\nB > A -> B", 10**6),
     "erased": ("axiom: A(1)\nA(x) -> B(x)A(x+1)\nB(x) -> *", 10**6),
     "erased by the hundred thousand": (f"axiom: A\nA -(0.5)-> {'B' * 100_000}A\nB -> *", 1000),
-    "erased in a pool": ("axiom: CA\nC < A -> " + "[B]" * 10_000 + "A\nB > C -> B\nB -> C", 1000),
+    "in a pool": ("axiom: CA\nC < A -> " + "[B]" * 600 + "A\nB > C -> B\nB -> C", 1000),
+    "long words by contexts": ("axiom: CA\nC < A -> " + "[B]" * 10_000 + "A\nB > C -> B\nB -> C", 1000),
     "erased, copied words": (f"axiom: A\nA -> {'B' * 400_000}A\nB -> *", 1000),
     "alive for good": ("axiom: A(1)\nA(x) : x > 0 -(0.5)-> B(x)A(x+1)\nB(x) -> B(x+1)", 20_000),
     "left-recursive": ("axiom: A\ndecomposition:\nA -> AF", 2),
@@ -181,6 +184,17 @@ def test_a_runaway_derivation_is_stopped_in_time_and_memory(name):
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 4 * budget.bytes
+
+
+@pytest.mark.parametrize("word", ["[B]", "BBB", "[[B]]"])
+def test_who_stands_beside_whom_takes_less_than_64_bytes_a_module(word):
+    """Seven arrays of 32 bits that stay, and what sorting takes meanwhile."""
+    kind = np.tile(np.array([{"[": OPENS, "]": CLOSES, "B": SEEN}[letter] for letter in word], dtype=np.uint8), 50_000)
+    tracemalloc.start()
+    Neighbours(kind)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 64 * len(kind)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,11 @@
 import numpy as np
 import pytest
 
+from sweep_addon.core.contours import Rectangle
+from sweep_addon.core.rings.limits import Plane
 from sweep_addon.core.self_intersection.folds import roots
+from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
+from sweep_addon.core.trajectories import Line
 
 
 def of_both(one, other):
@@ -43,3 +47,19 @@ def test_a_flat_root_is_where_rounding_leaves_nothing_of_the_function():
     found = of_both(lambda x: (x - 0.3) ** 3, lambda x: 1e3 * (x - 0.7) ** 5)
     assert abs(found[0] - 0.3) ** 3 < 1e-13
     assert 1e3 * abs(found[1] - 0.7) ** 5 < 1e-13
+
+
+def test_a_box_of_kilometres_between_two_planes_is_as_long_as_its_middle_line():
+    """Cut obliquely, a prism holds its section times the length of the line through the section's centroid."""
+    start, end = np.array((0.47, 0.83, 0.51)), np.array((-0.131, 0.078, -0.096))
+    points = np.array((-0.9, -457.0, 1.5)), np.array((6.4, -208.0, 2221.0))
+    box = PDCurveSweep(
+        Rectangle(300, 200),
+        Line(end=(0, 0, 3000)),
+        start=Plane(tuple(points[0]), tuple(start)),
+        end=Plane(tuple(points[1]), tuple(end)),
+    )
+    low, high = (point @ across / across[2] for point, across in zip(points, (start, end), strict=True))
+    mesh = box.mesh()
+    assert len(mesh.vertices) == 12  # no edge is halved to follow a cut that is straight
+    assert mesh.volume() == pytest.approx(300 * 200 * (high - low), rel=1e-12)

@@ -14,6 +14,7 @@ import numpy as np
 from .tables import ASKS, CLOSES, OPENS, SEEN
 
 MODULE, PASSES, BEGINS = range(3)  # what stands in the sorted order: PASSES sees neighbours and is not seen
+MOST = 1 << 30  # modules, of each of which there may be two entries, that 32 bits can number
 STEP = np.zeros(256, dtype=np.int8)
 STEP[OPENS], STEP[CLOSES] = 1, -1
 
@@ -51,38 +52,44 @@ class Neighbours:
 
     def __init__(self, kind):
         self.none = len(kind)
-        depth = depths(kind)
-        at = np.flatnonzero((kind == SEEN) | (kind == OPENS) | (kind == ASKS))
-        opens = kind[at] == OPENS
-        at = np.repeat(at, 1 + opens)  # a bracket passes where its branch grows out, and begins the branch
-        begins = np.zeros(len(at), dtype=bool)
-        begins[np.flatnonzero(kind[at] == OPENS)[1::2]] = True
-        level = depth[at] - ((kind[at] == OPENS) & ~begins)
-        order = np.argsort(narrow(level), kind="stable")
-        self.at, self.level = at[order], level[order]
-        self.what = np.where(begins, BEGINS, np.where(kind[at] == SEEN, MODULE, PASSES))[order]
-        place = np.empty(len(order), dtype=np.intp)
-        place[order] = np.arange(len(order))
-        self.begun = place[np.minimum(order + 1, len(order) - 1)] if len(order) else place  # by a bracket that passes
-
+        self.dtype = np.int32 if self.none < MOST else np.intp
+        self.at, self.level, self.what, self.begun = self.in_order(kind)
         self.before, self.after = self.solid()
         self.brackets = np.flatnonzero(self.opens())
         self.left, self.right = self.links()
 
+    def in_order(self, kind):
+        """The sorted order: the module of each entry, its level, what it is, and where what a bracket opens begins."""
+        at = np.flatnonzero((kind == SEEN) | (kind == OPENS) | (kind == ASKS)).astype(self.dtype)
+        at = np.repeat(at, 1 + (kind[at] == OPENS))  # a bracket passes where its branch grows out, and begins it
+        own = kind[at]
+        begins = np.zeros(len(at), dtype=bool)
+        begins[np.flatnonzero(own == OPENS)[1::2]] = True
+        level = narrow(depths(kind)[at] - ((own == OPENS) & ~begins))
+        what = np.full(len(at), PASSES, dtype=np.uint8)
+        what[own == SEEN] = MODULE
+        what[begins] = BEGINS
+        order = np.argsort(level, kind="stable").astype(self.dtype)
+        place = np.empty(len(order), dtype=self.dtype)
+        place[order] = np.arange(len(order), dtype=self.dtype)
+        begun = place[np.minimum(order + 1, len(order) - 1)] if len(order) else place  # by a bracket that passes
+        return at[order], level[order], what[order], begun
+
     def solid(self):
         """The entry before and behind each in the sorted order that is seen; -1 and the number of entries for none."""
         count = len(self.what)
-        number = np.arange(count)
+        number = np.arange(count, dtype=self.dtype)
         seen = self.what != PASSES
-        before = np.concatenate(([-1], np.maximum.accumulate(np.where(seen, number, -1))[:-1])) if count else number
-        after = np.minimum.accumulate(np.where(seen, number, count)[::-1])[::-1]
-        return before, np.concatenate((after[1:], [count])) if count else number
+        before, after = np.full((2, count + 1), [[-1], [count]], dtype=self.dtype)
+        np.maximum.accumulate(np.where(seen, number, before[1:]), out=before[1:])
+        np.minimum.accumulate(np.where(seen, number, after[:-1])[::-1], out=after[:-1][::-1])
+        return before[:-1], after[1:]
 
     def links(self):
-        left, right = (np.full(self.none + 1, self.none) for _ in range(2))
-        asking = np.flatnonzero(self.what != BEGINS)
+        left, right = (np.full(self.none + 1, self.none, dtype=self.dtype) for _ in range(2))
+        asking = np.flatnonzero(self.what != BEGINS).astype(self.dtype)
         brackets = self.brackets
-        owner = np.full(len(self.what) + 1, -1)  # of the entry where a branch begins; -1 of all others, and of none
+        owner = np.full(len(self.what) + 1, -1, dtype=self.dtype)  # of what begins a branch; -1 of others, and of none
         owner[self.begun[brackets]] = self.before[brackets]
         beginning = self.begun[brackets]
         while True:  # out of branches that begin with branches
@@ -112,7 +119,9 @@ class Neighbours:
         found = np.minimum(self.after[entries], len(self.what) - 1)
         is_there = (self.after[entries] < len(self.what)) & (self.what[found] == MODULE)
         is_there &= self.level[found] == self.level[entries]
-        return np.where(is_there, self.at[found], self.none)
+        found = self.at[found]
+        found[~is_there] = self.none
+        return found
 
     @cached_property
     def entry(self):

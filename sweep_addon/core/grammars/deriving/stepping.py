@@ -109,10 +109,11 @@ def step(state, tables, rules, moment, birth, meter, cutting=True, systems=None)
     if not replaced and gone is None:
         return state, False
 
-    ends = np.cumsum(sizes)
-    total = int(ends[-1]) if len(ends) else 0
+    starts = np.cumsum(sizes)
+    total = int(starts[-1]) if len(starts) else 0
     meter.room(total, birth)
-    return written(state, replaced, gone, ends - sizes, total, moment, birth), True
+    starts -= sizes
+    return written(state, replaced, gone, starts, total, moment, birth), True
 
 
 def written(state, replaced, gone, starts, total, moment, birth):
