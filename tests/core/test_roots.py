@@ -43,6 +43,11 @@ def test_a_root_that_is_found_early_is_not_left_while_others_are_looked_for(func
     assert found[1] == pytest.approx(0.3, abs=1e-11)
 
 
+def test_a_function_of_a_millionth_of_a_millionth_has_its_root_where_a_larger_one_has():
+    found = of_both(lambda x: 1e-12 * (np.exp(x) - 1.1), lambda x: 1e-12 * (0.25 - x**2))
+    assert found == pytest.approx([np.log(1.1), 0.5], abs=1e-12)
+
+
 def test_a_flat_root_is_where_rounding_leaves_nothing_of_the_function():
     found = of_both(lambda x: (x - 0.3) ** 3, lambda x: 1e3 * (x - 0.7) ** 5)
     assert abs(found[0] - 0.3) ** 3 < 1e-13

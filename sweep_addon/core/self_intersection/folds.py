@@ -67,6 +67,7 @@ def roots(function, low, high, at_low, at_high):
     [0.0, 0.333333333]
     """
     width, there = 1e-11 * (high - low), np.zeros(len(low), dtype=bool)
+    small = SMALL * min(np.abs(at_high - at_low).max(initial=0.0), 1.0)  # in metres, also of a small shape
     for step in range(STEPS if len(low) else 0):
         span = at_high - at_low
         middle = high - at_high * (high - low) / np.where(span, span, 1.0)  # none where both ends have met at the place
@@ -74,7 +75,7 @@ def roots(function, low, high, at_low, at_high):
             middle = (low + high) / 2
         middle = np.where(there, high, middle)
         found = function(middle)
-        none = np.abs(found) < SMALL
+        none = np.abs(found) <= small
         if none.all():
             return middle
         kept = (found >= 0) == (at_high >= 0)  # the same end moves again
