@@ -21,7 +21,8 @@ TOLD = 3  # sentences of one kind
 ROUNDING = 1e-12  # of the trajectory's length
 AROUND = np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
 NARROWINGS = 8  # 6e-6 of each interval is left, and a peak is flat
-STEPS, SMALL = 40, 1e-13
+STEPS = 43  # of which the last do not halve: rounding may keep a place from ever being near enough
+SMALL = 1e-13  # of the largest of the nearer ends
 
 
 def intervals(folding, grid):
@@ -67,7 +68,7 @@ def roots(function, low, high, at_low, at_high):
     [0.0, 0.333333333]
     """
     width, there = 1e-11 * (high - low), np.zeros(len(low), dtype=bool)
-    small = SMALL * min(np.abs(at_high - at_low).max(initial=0.0), 1.0)  # in metres, also of a small shape
+    small = SMALL * np.minimum(np.abs(at_low), np.abs(at_high)).max(initial=0.0)
     for step in range(STEPS if len(low) else 0):
         span = at_high - at_low
         middle = high - at_high * (high - low) / np.where(span, span, 1.0)  # none where both ends have met at the place
