@@ -267,3 +267,12 @@ p3 : !(w) : ∗ → !(w∗vr)
 def test_the_listing_of_a_tree_with_ternary_branching_as_printed():
     entry = next(entry for entry in ENTRIES if entry["id"] == "abop-2.8a")
     assert str(LSystem.parse(TERNARY).derive(3)) == str(LSystem.parse(typed_out(entry)).derive(3))
+
+
+def test_the_dragon_curve_is_read_as_printed_once_its_names_are_declared():
+    printed = "#names Fl Fr\n#angle 90\nω: Fₗ\nFₗ → Fₗ+Fᵣ+\nFᵣ → −Fₗ−Fᵣ"
+    assert str(LSystem.parse(printed).derive(2)) == "Fl+Fr++-Fl-Fr+"  # by hand, ABOP figure 1.10 a
+
+
+def test_a_power_is_read_as_documents_set_it():
+    assert str(LSystem.parse("#define h (2 * 8) ˆ 0.5\naxiom: F(h)").derive(0)) == "F(4)"

@@ -6,7 +6,8 @@ import re
 
 from .directives import DIRECTIVE, WORDS
 
-SIGNS = str.maketrans("−–∗×·⋅∧∼˜’‘′⟨⟩〈〉ε◦º∘˚₀₁₂₃₄₅₆₇₈₉", "--****^~~'''<><>*°°°°0123456789")
+SIGNS = str.maketrans("−–∗×·⋅∧ˆ∼˜’‘′⟨⟩〈〉ε◦º∘˚", "--****^^~~'''<><>*°°°°")
+SIGNS |= str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", "0123456789aehijklmnoprstuvx")
 COMPARED = {"≤": "<=", "≥": ">=", "≠": "!="}
 WIDER = re.compile("[ \u00a0]?([→≤≥≠])")  # a blank gives way, so that what follows keeps its column
 CHANCE = re.compile(r"->\s*+\(([^()]*+)\)")  # over its arrow in print; a word begins with no bracket
