@@ -107,4 +107,6 @@ def bands(grid):
     tip = np.full(grid.rings, False)
     tip[list(grid.tips)] = True
     pinched = tip[pairs]
+    pairs.setflags(write=False)
+    pinched.setflags(write=False)
     return pairs, pinched[:, 0], pinched[:, 1]

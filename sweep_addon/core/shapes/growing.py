@@ -10,7 +10,7 @@ import numpy as np
 from ..declared.grammar_text import Grammar, Values
 from ..declared.parameters import ShapeError, at
 from ..grammars import Budget, GrammarError, LSystem
-from ..grammars.deriving.budget import LateError, sized
+from ..grammars.deriving.budget import LateError, ranged, sized
 from ..grammars.deriving.growth import bounds, foretold
 from ..grammars.deriving.noting import notes
 from ..grammars.meshing import uniting
@@ -251,5 +251,5 @@ def size(plant):
     if asked(plant) in LENGTHS:
         return f"{sized(LENGTHS[asked(plant)])} modules"
     if limits:
-        return f"{sized(limits[0])} to {sized(limits[1])} modules"
+        return f"{ranged(*limits)} modules"
     return "How many modules there will be hangs on what happens"

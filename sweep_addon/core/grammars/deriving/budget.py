@@ -113,6 +113,15 @@ def undisturbed(progress):
     return told
 
 
+def ranged(low, high):
+    """Two whole numbers between which another is, or that one.
+
+    >>> ranged(3, 3), ranged(3, 1000)
+    ('3', '3 to 1,000')
+    """
+    return sized(low) if low == high else f"{sized(low)} to {sized(high)}"
+
+
 def sized(number):
     """A whole number with commas, or of many digits how many there are."""
     if number < 10**MOST_DIGITS:

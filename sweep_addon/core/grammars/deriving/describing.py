@@ -3,7 +3,7 @@
 """What kind of grammar a system is, how its words are derived, and how large they become."""
 
 from ..text.modules import ENVIRONMENT, QUERIES
-from .budget import sized
+from .budget import ranged, sized
 from .derivation import WAYS, strategy
 from .growth import bounds, foretold
 from .noting import notes
@@ -71,7 +71,7 @@ def described(system, generations=None):
         size = f"more than {sized(sizes[-1])} modules after {generations} generations"
     else:
         limits = bounds(tables, generations)
-        said = f"{sized(limits[0])} to {sized(limits[1])} modules" if limits else "not foretold"
+        said = f"{ranged(*limits)} modules" if limits else "not foretold"
         size = f"{said} after {generations} generations"
     return [
         f"class: {kind(system)}",
