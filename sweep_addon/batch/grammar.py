@@ -44,6 +44,8 @@ def received(path):
         data = sys.stdin.buffer.read(LONGEST + 1)
         return "standard input", data if len(data) <= LONGEST else None
     path = Path(path)
+    if path.is_dir():
+        raise ShapeError(f"{path}: must be a file, got a folder")
     return path, path.read_bytes() if path.stat().st_size <= LONGEST else None
 
 

@@ -14,15 +14,15 @@ from ..core.declared.frozen import frozen
 from ..core.declared.parameters import (
     ShapeError,
     angle,
-    at,
     count,
     declared,
-    from_table,
+    filled,
     parameter,
     parameters,
     require,
     spelled,
 )
+from ..core.declared.refusals import MOST, together
 from ..core.shapes.kinds import SHAPE_NAMES
 from .lines import line_of
 from .references import resolve, with_references
@@ -87,21 +87,36 @@ class Job:
 class JobError(ShapeError):
     """A refusal that says in which file, at which line: ``job.toml:12: contour.rounding: must be at most ...``.
 
+    It says all that is wrong with the job, each in a line of its own.
+
     Attributes
     ----------
     path : Path
     line : int or None
+        Of the first.
     """
 
     def __init__(self, error, path, text=None):
-        super().__init__(error.sentence, error.key)
-        self.path, self.line = path, None
-        sentence = str(error)
-        if error.key.startswith("line "):
-            self.line, sentence = int(error.key.removeprefix("line ")), error.sentence
-        elif text is not None:
-            self.line = line_of(text, error.key)
-        self.args = (f"{path}:{self.line}: {sentence}" if self.line else f"{path}: {sentence}",)
+        lines = {refusal: line_told(refusal, text) for refusal in error.each()[:MOST]}
+        first, *others = sorted(lines, key=lambda refusal: lines[refusal] or 0)
+        super().__init__(first.sentence, first.key)
+        self.path, self.line, self.others, self.__cause__ = path, lines[first], tuple(others), first.__cause__
+        sentences = [placed(path, lines[refusal], refusal) for refusal in (first, *others)]
+        more = len(error.each()) - len(lines)
+        self.args = ("\n".join(sentences + [f"{path}: and {more} more mistakes"] * (more > 0)),)
+
+
+def line_told(refusal, text):
+    """The line of a job that a refusal is about, or None."""
+    if refusal.key.startswith("line "):
+        return int(refusal.key.removeprefix("line "))
+    return None if text is None else line_of(text, refusal.key)
+
+
+def placed(path, line, refusal):
+    """A refusal as editors find its place."""
+    sentence = refusal.sentence if refusal.key.startswith("line ") else str(refusal)
+    return f"{path}:{line}: {sentence}" if line else f"{path}: {sentence}"
 
 
 def load(job):
@@ -140,7 +155,8 @@ def read(path):
     except ShapeError as error:
         if path.suffix in GRAMMARS and error.key.startswith("line "):
             error = ShapeError(f"{error.sentence}; of a grammar tell `derive` and `describe`", error.key)
-        raise JobError(error, path, decoded(text)) from error.__cause__
+        wrong = JobError(error, path, decoded(text))
+        raise wrong from wrong.__cause__
     return Job(job.shape, job.render, job.digest, path)
 
 
@@ -166,14 +182,27 @@ def decoded(text):
 def parse(text, folder):
     """The `Job` of a text whose relative paths start from a folder."""
     table = forms.tables(text)
-    picture = table.pop("render", {})
-    with at("render"):
-        if not isinstance(picture, dict):
-            raise ShapeError("must be a table, [render]")
-        render = from_table({"render": Render}, {"kind": "render", **picture}, parameters)
-    shape = DESCRIBED.get(name(table))
-    resolved, files = resolve(parameters(shape), table, folder) if shape else (table, ())
-    return Job(forms.shape_of(DESCRIBED.values(), resolved), render, digest(table, picture, files))
+    picture, refused = table.pop("render", {}), []
+    try:
+        render = picture_of(picture)
+    except ShapeError as refusal:
+        refused.append(refusal.inside("render"))
+    try:
+        shape = DESCRIBED.get(name(table))
+        resolved, files = resolve(parameters(shape), table, folder) if shape else (table, ())
+        made = forms.shape_of(DESCRIBED.values(), resolved)
+    except ShapeError as refusal:
+        refused.insert(0, refusal)
+    if refused:
+        raise together(refused)
+    return Job(made, render, digest(table, picture, files))
+
+
+def picture_of(table):
+    """The `Render` that a table describes."""
+    if not isinstance(table, dict):
+        raise ShapeError("must be a table, [render]")
+    return filled(Render, parameters(Render), table)
 
 
 def name(table):

@@ -14,7 +14,7 @@ from ..core.declared.parameters import (
     ShapeError,
     at,
     declared,
-    from_table,
+    filled,
     length,
     parameter,
     parameters,
@@ -60,7 +60,7 @@ class GrammarFile:
 
 
 def resolve(declared, table, folder):
-    """A table with its references replaced by values.
+    """A table with its references replaced by values, or by the refusals of those that stand for nothing.
 
     Parameters
     ----------
@@ -76,32 +76,36 @@ def resolve(declared, table, folder):
     files : tuple of Path
         The files that were read.
     """
-    files = []
+    made, files = dict(table), []
     for p in declared:
-        if p.item:
-            table = {**table, **items_resolved(p, table.get(p.name), folder, files)}
-            continue
-        if p.type is Operand:
-            table = {**table, **operand_resolved(p, table.get(p.name), folder, files)}
-            continue
-        if p.type is Grammar and isinstance(table.get(p.name), dict):
-            with at(p.name):
-                told, path = grammar(table[p.name], Path(folder))
-            table = {**table, p.name: told}
-            files.append(path)
-            continue
-        reference = reference_of(p, table.get(p.name))
-        if reference:
-            with at(p.name):
-                value, path = read(reference, p, Path(folder))
-            table = {**table, p.name: value}
-            files.append(path)
-    return table, tuple(files)
+        if p.name in table:
+            try:
+                made[p.name] = resolved(p, table[p.name], Path(folder), files)
+            except ShapeError as refusal:
+                made[p.name] = refusal  # which is told with what else is wrong with the shape
+    return made, tuple(files)
+
+
+def resolved(p, value, folder, files):
+    """The value of one parameter with its references replaced, and the files that were read for it added to others."""
+    if p.item:
+        return items_resolved(p, value, folder, files)
+    if p.type is Operand:
+        return operand_resolved(value, folder, files)
+    if p.type is Grammar and isinstance(value, dict):
+        made, path = grammar(value, folder)
+    else:
+        reference = reference_of(p, value)
+        if not reference:
+            return value
+        made, path = read(reference, p, folder)
+    files.append(path)
+    return made
 
 
 def grammar(reference, folder):
     """The text of a grammar in a file, and the file."""
-    told = from_table({"reference": GrammarFile}, {"kind": "reference", **reference}, parameters)
+    told = filled(GrammarFile, parameters(GrammarFile), reference)
     path = existing(folder / told.file, "file")
     try:
         text = path.read_text(encoding="utf-8-sig")
@@ -114,29 +118,27 @@ def grammar(reference, folder):
     return text, path
 
 
-def operand_resolved(p, operand, folder, files):
+def operand_resolved(operand, folder, files):
     """The table of an operand with the references in it replaced; what is no such table is refused later."""
     kind = operand.get("kind") if isinstance(operand, dict) else None
     if not isinstance(kind, str) or kind not in known():
-        return {}
-    with at(p.name):
-        made, read_files = resolve(parameters(known()[kind]), operand, folder)
+        return operand
+    made, read_files = resolve(parameters(known()[kind]), operand, folder)
     files.extend(read_files)
-    return {p.name: made}
+    return made
 
 
 def items_resolved(p, items, folder, files):
     """A list of tables with the references in each replaced; what is no such list is refused later."""
     if not isinstance(items, list):
-        return {}
+        return items
     made = []
-    for number, item in enumerate(items, 1):
+    for item in items:
         if isinstance(item, dict):
-            with at(f"{p.name}.{number}"):
-                item, read_files = resolve(parameters(p.item), item, folder)
+            item, read_files = resolve(parameters(p.item), item, folder)
             files.extend(read_files)
         made.append(item)
-    return {p.name: made}
+    return made
 
 
 def reference_of(p, value):
@@ -144,8 +146,7 @@ def reference_of(p, value):
     if not p.accepts or not isinstance(value, dict) or "kind" in value:
         return None
     kind = Text if "text" in value else File if "file" in value else None
-    with at(p.name):
-        return kind and from_table({"reference": kind}, {"kind": "reference", **value}, parameters)
+    return kind and filled(kind, parameters(kind), value)
 
 
 def read(reference, p, folder):
@@ -225,6 +226,7 @@ def keyed(key):
 
 
 def existing(path, key):
+    require(not path.is_dir(), "must be a file, not a folder", str(path), key)
     require(path.is_file(), "must be a file that exists", str(path), key)
     require(path.stat().st_size <= LARGEST_FILE, f"must have at most {LARGEST_FILE:,} bytes", path.stat().st_size, key)
     return path

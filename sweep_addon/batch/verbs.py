@@ -5,18 +5,16 @@
 import hashlib
 import importlib.util
 import json
-import shutil
 import sys
-import textwrap
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
-from ..core.declared import description, forms
-from ..core.declared.parameters import ShapeError, parameters, require, spelled
+from ..core.declared import description
+from ..core.declared.parameters import ShapeError, require
 from ..core.self_intersection.places import Places
 from ..core.shapes.kinds import SWEPT
-from . import grammar
+from . import describing, grammar
 from . import job as jobs
 from .export import MODELS, PICTURES, check_output, save_model, silent
 from .plan import numbered, numbers, plan
@@ -29,7 +27,7 @@ class CommandError(Exception):
 
 def code_of(refusal):
     """The exit code of a refusal: 2 where what was told is wrong, 1 where only a library or Blender is missing here."""
-    return 1 if isinstance(refusal.__cause__, ImportError) else 2
+    return max(1 if isinstance(each.__cause__, ImportError) else 2 for each in refusal.each())
 
 
 def read(path):
@@ -107,43 +105,15 @@ def describe(told):
         say(json.dumps(jobs.schema(), indent=2))
         return 0
     if not told.shape:
-        say("\n".join(f"{name}: {description.summary(kind)}" for name, kind in jobs.DESCRIBED.items()))
+        say("\n".join(describing.everything()))
         return 0
-    kinds = described()
-    if told.shape not in kinds and (told.shape == grammar.STANDARD_INPUT or Path(told.shape).is_file()):
+    kinds = describing.named(told.shape)
+    if not kinds:
         say("\n".join(grammar.describe(told.shape)))
         return 0
-    require(told.shape in kinds, f"must be one of {', '.join(kinds)}", told.shape, "SHAPE")
-    tables = (description.markdown(kind) if told.markdown else table(told.shape, kind) for kind in kinds[told.shape])
+    tables = (description.markdown(kind) if told.markdown else describing.table(told.shape, kind) for kind in kinds)
     say("\n\n".join(tables))
     return 0
-
-
-def described():
-    """All that can be described by its name in a job; a law and a trajectory are both a formula."""
-    kinds = {name: [kind] for name, kind in jobs.DESCRIBED.items()}
-    for kind in dict.fromkeys(kind for shape in jobs.DESCRIBED.values() for kind in choices(shape)):
-        kinds.setdefault(spelled(kind), []).append(kind)
-    return kinds | {"render": [jobs.Render]}
-
-
-def choices(owner):
-    """The kinds that the parameters of a shape, or of a kind, can be, and those of their own parameters."""
-    for kind in (kind for p in parameters(owner) for kind in p.kinds):
-        yield kind
-        yield from choices(kind)
-
-
-def table(name, kind):
-    """The parameters of a shape for people, each with its default, and beneath it what it means and takes."""
-    width = max(60, shutil.get_terminal_size((100, 24)).columns - 4)
-    lines = [f"{name}: {description.summary(kind)}", ""]
-    for row in description.describe(kind):
-        default = "" if row.default is None else f" = {forms.tidy(row.default, forms.scalar, len(row.key))}"
-        means = f"{row.doc}. {row.takes}" + (f"; {row.limits}" if row.limits else "")
-        lines.append(f"{row.key}{default}")
-        lines.extend(textwrap.wrap(means, width, initial_indent="    ", subsequent_indent="    "))
-    return "\n".join(lines)
 
 
 def run_many(verb, told, frame=0):
@@ -201,7 +171,8 @@ def pointing_at(job):
         yield
     except ShapeError as refusal:
         text = jobs.decoded(job.path.read_bytes())
-        raise jobs.JobError(refusal, job.path, text) from refusal.__cause__
+        wrong = jobs.JobError(refusal, job.path, text)
+        raise wrong from wrong.__cause__
 
 
 def only_job(told):

@@ -51,6 +51,17 @@ def test_check_answers_for_each_job(tmp_path, job, capsys):
     assert told.out.startswith(str(job))
 
 
+def test_check_tells_every_mistake_of_a_job_in_a_line(tmp_path, job, capsys):
+    job.write_text(
+        job.read_text().replace("rounding = 0.0", "rounding = -1").replace("width = 0.5", "widht = 0.5") + "wdith = 3\n"
+    )
+    lines = job.read_text().split("\n")
+    assert main(["check", str(job)]) == 2
+    told = [line.split(": ")[:2] for line in capsys.readouterr().err.splitlines()]
+    keys = {"contour.widht": "widht = 0.5", "contour.rounding": "rounding = -1", "render.wdith": "wdith = 3"}
+    assert told == [[f"{job}:{lines.index(line) + 1}", key] for key, line in keys.items()]
+
+
 def test_check_tells_of_a_tree_of_which_nothing_is_left(tmp_path, capsys):
     pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
     path = tmp_path / "nothing.toml"
@@ -98,6 +109,27 @@ def test_describe_tells_units_limits_and_defaults(capsys):
     assert json.loads(capsys.readouterr().out)["title"] == "Sweep job"
 
 
+def test_describe_alone_names_all_that_it_can_tell_of(capsys):
+    assert main(["describe"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines.index("Planar Generator") < lines.index("Solid Generator") and max(map(len, lines)) < 140
+    groups = (line.strip().split(": ", 1) for line in lines if line.startswith("  "))
+    first, second = zip(*groups, strict=True)
+    at = first.index("contour")
+    names = [*first[:at], *(name for kinds in second[at:] for name in kinds.split(", "))]
+    assert {"circle", "helix", "generalized-cylinder", "tree", "ball", "formula", "render"} <= set(names)
+    assert all(main(["describe", name]) == 0 for name in names)
+
+
+def test_describe_tells_the_name_that_was_meant(capsys):
+    assert main(["describe", "helx"]) == main(["describe", "generalised-cylinder"]) == 2
+    told = capsys.readouterr().err.splitlines()
+    assert [line.rpartition(": ")[2] for line in told] == [
+        "did you mean 'helix'?",
+        "did you mean 'generalized-cylinder'?",
+    ]
+
+
 def test_describe_tells_of_all_kinds_of_a_name(capsys):
     assert main(["describe", "formula"]) == main(["describe", "round"]) == 0
     told = capsys.readouterr().out
@@ -116,7 +148,10 @@ def test_describe_tells_of_all_kinds_of_a_name(capsys):
         ("build", "a.toml"): "sweep build: one of the arguments -o/--output -d/--output-dir is required",
         ("check",): "sweep check: the following arguments are required: JOB",
         ("check", "no.toml"): "no.toml: must be a job file that exists",
-        ("describe", "tube"): "SHAPE: must be one of translational-sweep, ",
+        ("describe", "nothing"): "SHAPE: must be a name that `describe` alone lists, or the file of a grammar, got 'no",
+        ("describe", "."): ".: must be a file, got a folder",
+        ("derive", "."): ".: must be a file, got a folder",
+        ("check", "."): ".: must be a job file, got a folder",
     }.items(),
 )
 def test_bad_input_is_one_sentence_and_exit_code_2(arguments, sentence, capsys):

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 import sweep_addon as sw
 from sweep_addon.batch import job as jobs
-from sweep_addon.batch.references import resolve
-from sweep_addon.core.declared.parameters import ShapeError, parameters
+from sweep_addon.core.declared.forms import toml
+from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.shapes.kinds import GeneralizedCylinder
 
 START = 'version = 1\nkind = "generalized-cylinder"\n'
@@ -54,8 +54,15 @@ def written(folder, text, name="job.toml"):
         START + "contour = {file = 'a.svg', scale = 0}": ":3: contour.scale: must be more than 0, got 0",
         "version = 9\nkind = 1": ":1: version: must be at most 1, the newest that this program reads, got 9",
         "\nkind = 'tube'": ":2: kind: must be one of ",
-        "": ":1: kind: must be one of ",
-        "a = 1\nb = ": ":2: must be TOML: invalid value",
+        "": ":1: kind: must be given, as one of ",
+        START + "[contour]\nradius = 2": ":3: contour.kind: must be given, as one of circle, ",
+        "version = 1\nknid = 'plant'": ":2: knid: is no parameter: did you mean 'kind'?",
+        "kind = 'plant'\nsystem = { fiel = 'a.l' }": (
+            ":2: system.fiel: is no parameter of GrammarFile, which has file: did you mean 'file'?"
+        ),
+        START + "[render]\nkind = 'png'": ":4: render.kind: is no parameter of Render, which has engine, ",
+        START + "contour = {file = '.'}": ":3: contour.file: must be a file, not a folder, got ",
+        "a = 1\nb = ": ":2: must be TOML: after = stands a number, ",
         b"a = '\xff'": ":1: must be UTF-8, got the byte 0xff",
     }.items(),
 )
@@ -66,6 +73,56 @@ def test_a_refusal_names_file_line_and_key(tmp_path, text, sentence):
             read(path)
         assert str(refusal.value).startswith(f"{path}{sentence}")
         assert "\n" not in str(refusal.value)
+
+
+def test_all_mistakes_of_a_job_are_told_each_at_its_line(tmp_path):
+    text = (
+        START
+        + """twist = [1, 2]
+[render]
+widht = 9
+engine = "cyles"
+[contour]
+kind = "circle"
+raduis = 2
+points = 1
+[trajectory]
+file = "none.csv"
+[[morph]]
+t = "a"
+contour = "cirle"
+[[morph]]
+t = 0.5
+contour = { text = "A", font = "none.ttf" }
+"""
+    )
+    path = written(tmp_path, text)
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(path)
+    lines = [line.removeprefix(f"{path}:") for line in str(refusal.value).split("\n")]
+    beginnings = [
+        "3: twist: must be a number of radians, a formula in text or a list of points [t, value], got [1, 2]",
+        "5: render.widht: is no parameter of Render, ",
+        "6: render.engine: must be one of cycles, workbench, eevee, got 'cyles': did you mean 'cycles'?",
+        "9: contour.raduis: is no parameter of Circle, which has radius, points: did you mean 'radius'?",
+        "10: contour.points: must be at least 3, got 1",
+        "12: trajectory.file: must be a file that exists, got ",
+        "14: morph.1.t: must be a number, got 'a'",
+        "15: morph.1.contour: must be one of circle, ",
+        "18: morph.2.contour.font: must be a file that exists, got ",
+    ]
+    assert len(lines) == len(beginnings)
+    assert all(map(str.startswith, lines, beginnings)), lines
+    assert refusal.value.line == 3 and refusal.value.key == "twist"
+
+
+def test_of_very_many_mistakes_some_are_told(tmp_path):
+    path = written(tmp_path, "kind = 'plant'\n[constants]\n" + "".join(f"c{n} = 'a'\n" for n in range(1000)))
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(path)
+    *told, last = str(refusal.value).split("\n")
+    assert told[0] == f"{path}:3: constants.c0: must be a number, got 'a'"
+    assert len(told) == 20 and last == f"{path}: and 980 more mistakes"
 
 
 @pytest.mark.parametrize("make", [lambda path: path, lambda path: path.mkdir() or path])
@@ -176,7 +233,7 @@ def test_the_schema_accepts_references_and_the_picture():
 @given(st.text(max_size=40))
 def test_any_name_of_a_file_is_refused_in_one_sentence(name):
     with pytest.raises(ShapeError) as refusal:
-        resolve(parameters(GeneralizedCylinder), {"contour": {"file": f"{name}.nothing"}}, Path("nowhere"))
+        jobs.parse(toml({"kind": "generalized-cylinder", "contour": {"file": f"{name}.nothing"}}), Path("nowhere"))
     assert refusal.value.key == "contour.file" and "\n" not in str(refusal.value)
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input is refused in one sentence: the parameter, what would do, and what was given."""
 
+import re
 from math import inf, nan
 
 import numpy as np
@@ -153,8 +154,16 @@ SHAPES = {  # refused when the shape is made, or its mesh
     'polyline, bezier, nurbs or sampled, say Polyline(points=...) or { kind = "polyline", points = ... }': {
         "trajectory": [(0, 0, 0), (1, 0, 0)]
     },
-    "contour.radus: is no parameter of Circle, which has radius, points": {"contour": {"kind": "circle", "radus": 1}},
-    f"contour.kind: must be one of {CONTOURS}, got None": {"contour": {"radius": 1}},
+    "contour.radus: is no parameter of Circle, which has radius, points: did you mean 'radius'?": {
+        "contour": {"kind": "circle", "radus": 1}
+    },
+    f"contour.kind: must be given, as one of {CONTOURS}": {"contour": {"radius": 1}},
+    "contour.Kind: is no parameter: did you mean 'kind'?": {"contour": {"Kind": "circle"}},
+    "twist: must be a number of radians, a formula in text or a list of points [t, value], got [1, 2]": {
+        "twist": [1, 2]
+    },
+    "twist: must be one of constant, formula, points, got None: say a number, a formula in text, as \"2*pi*t\", "
+    "or a list of points [t, value]": {"twist": None},
     "contour: must reach 2.5e-12 m or more on this trajectory, got 1e-14": {"contour": Circle(1e-14)},
     "trajectory: must be at least 1e-12 m long, got 1e-13": {"trajectory": Line(end=(0, 0, 1e-13))},
     "trajectory: must not turn back on itself, got a reversal at u = 1": {
@@ -243,7 +252,7 @@ def refusal(make):
     with pytest.raises(ShapeError) as caught:
         make()
     sentence = str(caught.value)
-    assert "\n" not in sentence and (", got " in sentence or "is no parameter of" in sentence)
+    assert "\n" not in sentence and re.search(", got |is no parameter|must be given", sentence)
     return sentence
 
 
@@ -256,6 +265,35 @@ def test_a_value_that_will_not_do_is_refused_when_it_is_made(sentence):
 @pytest.mark.parametrize("sentence", SHAPES)
 def test_a_shape_that_will_not_do_is_refused(sentence):
     assert refusal(lambda: GeneralizedCylinder(**SHAPES[sentence]).mesh()) == sentence
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"raduis": 1}, "'raduis' is no parameter of Circle, which has radius, points: did you mean 'radius'?"),
+        ({"centre": 1}, "'centre' is no parameter of Circle, which has radius, points"),
+    ],
+)
+def test_a_misspelt_argument_of_a_constructor_is_told_the_name_it_is_near(given, sentence):
+    with pytest.raises(TypeError, match=f"^{re.escape(sentence)}$"):
+        Circle(**given)
+
+
+def test_a_refusal_knows_what_else_is_wrong_with_the_same_value():
+    told = {"radus": 1, "points": 1}
+    with pytest.raises(ShapeError) as caught:
+        GeneralizedCylinder(contour={"kind": "circle", **told}, trajectory="lin", twist="2 t", scale_x=1)
+    keys = [refusal.key for refusal in caught.value.each()]
+    assert keys == ["contour.radus", "contour.points", "trajectory", "twist"]
+    assert str(caught.value).startswith("contour.radus: is no parameter of Circle")
+    assert [refusal.others for refusal in caught.value.others] == [(), (), ()]
+
+
+def test_what_goes_together_is_not_asked_where_a_parameter_is_misspelt():
+    """A rounding of 2 does not go with the default width, but would with the one that was meant."""
+    with pytest.raises(ShapeError) as caught:
+        GeneralizedCylinder(contour={"kind": "rectangle", "widht": 9, "height": 9, "rounding": 2})
+    assert [refusal.key for refusal in caught.value.each()] == ["contour.widht"]
 
 
 @pytest.mark.parametrize("beginning", BEGINNINGS)

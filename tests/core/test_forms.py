@@ -79,8 +79,8 @@ START = 'kind = "generalized-cylinder"\n'
     "text, sentence",
     {
         b"a = 1\nb = '\xe9'": "line 2: must be UTF-8, got the byte 0xe9",
-        "a = 1\nb =": "line 2: must be TOML: invalid value",
-        "a = 1\na = 2": "line 2: must be TOML: cannot overwrite a value",
+        "a = 1\nb =": "line 2: must be TOML: after = stands a number, ",
+        "a = 1\na = 2": "line 2: must be TOML: each parameter and each table is told once, got 'a = 2'",
         "a = 1\ntwist = 2*pi*t": 'line 2: must be TOML: text and formulas stand in quotes: twist = "2*pi*t"',
         "twist = smoothstep(0, 1, t) # late": (
             'line 1: must be TOML: text and formulas stand in quotes: twist = "smoothstep(0, 1, t)"'
@@ -88,8 +88,8 @@ START = 'kind = "generalized-cylinder"\n'
         "frame = { kind = fixed-up, up = [0, 0, 1] }": (
             'line 1: must be TOML: text and formulas stand in quotes: kind = "fixed-up"'
         ),
-        "\nx": "line 2: must be TOML: expected '=' after a key in a key/value pair",
-        "": "kind: must be one of ",
+        "\nx": "line 2: must be TOML: a line is key = value, [table] or a comment after #, got 'x'",
+        "": "kind: must be given, as one of ",
         "version = 2": "version: must be at most 1, the newest that this program reads, got 2",
         "version = true": "version: must be a whole number, at least 1, got True",
         "version = -1": "version: must be a whole number, at least 1, got -1",

@@ -65,11 +65,11 @@ def test_a_law_knows_whether_it_is_constant(law, constant):
         ([(0, 1), (0, 2)], "must have t rising from point to point, got [0.0, 0.0]"),
         ([(0, 1), (1, float("nan"))], "must have finite numbers up to 1e+12 in size, got nan in row 2"),
         ([(0, 1), (1, -1e308)], "must have finite numbers up to 1e+12 in size, got -1e+308 in row 2"),
-        ([], "must be a list of 2 numbers each, got []"),
-        ([0, 1], "must be a list of 2 numbers each, got [0, 1]"),
+        ([], "must be a number, a formula in text or a list of points [t, value], got []"),
+        ([0, 1], "must be a number, a formula in text or a list of points [t, value], got [0, 1]"),
         (float("inf"), "must be a number, got inf"),
         (None, "must be one of constant, formula, points, got None"),
-        ({"kind": "formula", "txt": "t"}, "txt: is no parameter of Formula, which has text"),
+        ({"kind": "formula", "txt": "t"}, "txt: is no parameter of Formula, which has text: did you mean 'text'?"),
     ],
 )
 def test_what_is_no_law_is_refused_when_it_is_made(given, sentence):

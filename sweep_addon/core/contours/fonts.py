@@ -63,6 +63,8 @@ def opened(font_path):
     """The first font of a file."""
     ttlib = library("fontTools.ttLib", "fonttools")
     require(isinstance(font_path, (str, Path)), "must be given by the path of its file", font_path)
+    if Path(font_path).is_dir():
+        raise ShapeError("must be a file, got a folder")
     try:
         return ttlib.TTFont(BytesIO(Path(font_path).read_bytes()), fontNumber=0, lazy=True)  # no file stays open
     except (OSError, ValueError) as error:

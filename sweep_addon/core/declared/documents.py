@@ -43,6 +43,8 @@ def content(text_or_path, kind, mark, largest):
     subject = f"the {kind} file {text_or_path}"
     try:
         path = Path(text_or_path)
+        if path.is_dir():
+            raise ShapeError(f"{subject} must be a file, got a folder")
         size = path.stat().st_size
         require(size <= largest, f"{subject} must have at most {largest} bytes", size)
         return path.read_bytes(), subject

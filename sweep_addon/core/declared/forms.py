@@ -24,10 +24,7 @@ WIDEST = 100  # characters of a line that is written
 
 KEY = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
 LONG_KEY = re.compile(rf"(?<![\w-]){KEY}(?:[ \t]*+\.[ \t]*+{KEY}){{{DEEPEST}}}")  # tomllib takes time as its square
-BARE = re.compile(r"""^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{#][^"'#]*)""")
-BARE_INSIDE = re.compile(r"""[{,][ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{},#][^"'\[\]{},#=]*)""")
 LINES = re.compile(r"[^\x00-\x08\x0b-\x1f\x7f]*(?<!')")  # what TOML holds between three quotes
-VALUE = re.compile(r"[+-]?(?:[\d_]+(?:\.[\d_]+)?(?:[eE][+-]?\d+)?|inf|nan|0[xob]\w+)|true|false|\d{4}-\d\d.*|\d\d:.*")
 
 
 def tables(text):
@@ -37,6 +34,8 @@ def tables(text):
     {'version': 1}
     """
     import tomllib  # 2 ms of a start that most sweeps can do without
+
+    from .slips import corrected
 
     require(len(text) <= LONGEST, f"must have at most {LONGEST} characters", len(text))
     try:
@@ -56,24 +55,11 @@ def tables(text):
         line = re.match(r"line \d+", place)
         line = line.group() if line else f"line {len(text.splitlines()) or 1}"
         wrong = "".join(text.split("\n")[int(line.split()[1]) - 1 :][:1])
-        said = unquoted(wrong[: 2 * WIDEST]) or f"{what[:1].lower()}{what[1:]}"
-        raise ShapeError(f"must be TOML: {said}", line) from None
+        raise ShapeError(f"must be TOML: {corrected(wrong, what)}", line) from None
     except (ValueError, RecursionError):
         raise ShapeError(f"must be TOML, nested at most {DEEPEST} deep, with numbers of at most 64 bits") from None
     check_bounds(table)
     return table
-
-
-def unquoted(line):
-    """What to say of a line of TOML with a bare text in it, as a formula without its quotes; often nothing.
-
-    >>> unquoted("twist = 2*pi*t  # a turn")
-    'text and formulas stand in quotes: twist = "2*pi*t"'
-    """
-    for key, text in BARE.findall(line) + BARE_INSIDE.findall(line):
-        if not VALUE.fullmatch(text.strip()):
-            return f'text and formulas stand in quotes: {key} = "{text.strip()}"'
-    return ""
 
 
 def check_bounds(table):

@@ -121,8 +121,10 @@ def bound(cls, values, named):
     if len(values) > len(names):
         raise TypeError(f"{cls.__name__} takes at most {len(names)} values but got {len(values)}")
     if not named.keys() <= names.keys():
-        name = next(iter(named.keys() - names.keys()))
-        raise TypeError(f"{cls.__name__} has no parameter {name!r}: it has {', '.join(names) or 'none'}")
+        from .hints import has_none  # nobody needs it until something is refused
+
+        name = next(name for name in named if name not in names)
+        raise TypeError(f"{name!r} is {has_none(cls.__name__, name, names)}")
     if not values:
         return named
     given = dict(zip(names, values, strict=False))

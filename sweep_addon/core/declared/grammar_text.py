@@ -7,6 +7,7 @@ from numbers import Real
 from sys import float_info
 
 from .parameters import ShapeError, require
+from .refusals import together
 from .wording import named, shown
 
 
@@ -42,9 +43,13 @@ class Values(Mapping):
     def coerced(cls, value):
         """Values from a table of numbers."""
         require(isinstance(value, Mapping), "must be a table of numbers", value)
-        for name, number in value.items():
-            if not isinstance(number, Real) or isinstance(number, bool) or not abs(number) <= float_info.max:
-                raise ShapeError(f"must be a number, got {shown(number)}", named(name))
+        wrong = [
+            ShapeError(f"must be a number, got {shown(number)}", named(name))
+            for name, number in value.items()
+            if not isinstance(number, Real) or isinstance(number, bool) or not abs(number) <= float_info.max
+        ]
+        if wrong:
+            raise together(wrong)
         return cls({str(name): float(number) + 0.0 for name, number in value.items()})
 
     def __getitem__(self, name):

@@ -7,7 +7,8 @@ from difflib import get_close_matches
 import numpy as np
 
 from .parameters import Array, parameters
-from .wording import spelled
+from .refusals import ShapeError
+from .wording import named, spelled
 
 MANY = 40  # names that a refusal tells
 LONGEST = 40  # characters of what may be a name with a slip in it
@@ -47,15 +48,39 @@ def hint(names, value):
         kind, told = FIGURES.get(value.lower(), ("", ""))
         if kind in names:
             return f': say {{ kind = "{kind}", {told} }}'
-        near = get_close_matches(value.lower(), names, 1) if len(value) <= LONGEST else ()
-        return f": did you mean '{near[0]}'?" if near else ""
+        return meant(names, value)
     if isinstance(value, (list, tuple, np.ndarray, Array)):
         return of_a_list(names)
     if isinstance(value, type) and value in names.values():
         return f": say {value.__name__}()"
     if callable(value) and "constant" in names:
         return ': say a formula in text, as "2*pi*t"'
+    if value is None and "constant" in names:
+        return ': say a number, a formula in text, as "2*pi*t", or a list of points [t, value]'
     return ""
+
+
+def meant(names, name):
+    """What to add to the refusal of a name that is near one of those there are; else nothing.
+
+    >>> meant(["radius", "points"], "raduis"), meant(["radius", "points"], "twist")
+    (": did you mean 'radius'?", '')
+    """
+    near = get_close_matches(name.lower(), names, 1) if isinstance(name, str) and len(name) <= LONGEST else ()
+    return f": did you mean '{near[0]}'?" if near else ""
+
+
+def has_none(owner, name, names):
+    """What to say of a name that is no parameter of something, which has others."""
+    return f"no parameter of {owner}, which has {', '.join(names) or 'none'}{meant(names, name)}"
+
+
+def kindless(names, table):
+    """The refusal of a table that does not say of which kind it is, or calls that something else."""
+    slips = get_close_matches("kind", list(map(str, table))[:MANY], 1)
+    if slips:
+        return ShapeError("is no parameter: did you mean 'kind'?", named(slips[0]))
+    return ShapeError(f"must be given, as {one_of(names, None)}", "kind")
 
 
 def one_of(names, value):

@@ -20,67 +20,10 @@ from typing import dataclass_transform, get_args, get_origin
 import numpy as np
 
 from .frozen import altered, bound, by_value, individual, unchanging
+from .refusals import MOST, ShapeError, at, require, together
 from .wording import MEASURES, Documented, item_of, longest, named, shown, spelled
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
-
-
-class ShapeError(ValueError):
-    """A refusal: the key path of the parameter, what would do, and what it got.
-
-    Attributes
-    ----------
-    sentence : str
-        The refusal without the key path.
-    key : str
-        The key path of the parameter, as in a job file: ``contour.radius``.
-
-    Examples
-    --------
-    >>> from sweep_addon.core.contours import Circle
-    >>> try:
-    ...     Circle(radius=-1)
-    ... except ShapeError as refusal:
-    ...     print(refusal)
-    radius: must be more than 0, got -1
-    """
-
-    def __init__(self, sentence, key=""):
-        super().__init__(f"{key}: {sentence}" if key else sentence)
-        self.sentence, self.key = sentence, key
-
-    @classmethod
-    def read(cls, text):
-        """The refusal that was written as text; a key has no blanks.
-
-        >>> ShapeError.read("contour.radius: must be more than 0, got -1").key
-        'contour.radius'
-        """
-        key, colon, sentence = text.partition(": ")
-        return cls(sentence, key) if colon and " " not in key else cls(text)
-
-    def inside(self, key):
-        """The same refusal, of what is at a key of a larger value.
-
-        >>> print(ShapeError("must be more than 0, got -1", "radius").inside("contour"))
-        contour.radius: must be more than 0, got -1
-        """
-        return ShapeError(self.sentence, ".".join(filter(None, (key, self.key))))
-
-
-@contextmanager
-def at(key):
-    """Say where in a larger value a refusal belongs."""
-    try:
-        yield
-    except ShapeError as error:
-        raise error.inside(key) from error.__cause__
-
-
-def require(holds, sentence, value, key=""):
-    """Refuse a value unless the sentence about it holds."""
-    if not holds:
-        raise ShapeError(f"{sentence}, got {shown(value)}", key)
 
 
 class Array:
@@ -182,14 +125,22 @@ def completed(cls, given):
 
 
 def fill(value, given):
-    """Set each field to what is given for it, as it is kept, or to its default."""
+    """Set each field to what is given for it, as it is kept, or to its default; or tell of all that will not do.
+
+    For what could not even be read, as a drawing in a file, its refusal is given.
+    """
+    refused = []
     for p in parameters(type(value)):
         value.__dict__[p.name] = p.default
         if p.name in given:
             try:
                 value.__dict__[p.name] = coerce(p, given[p.name])
             except ShapeError as error:
-                raise error.inside("" if p.shorthand else p.name) from error.__cause__  # a shorthand has no key
+                unread = isinstance(given[p.name], ShapeError)
+                refusal = given[p.name] if unread else error
+                refused.append(refusal.inside("" if p.shorthand else p.name))  # a shorthand has no key
+    if refused:
+        raise together(refused)
 
 
 def proven(cls, **given):
@@ -260,7 +211,7 @@ def coerce(p, value):
     if p.type is Array:
         return coerce_array(p, value)
     if p.item:
-        return tuple(coerce_items(p, value))
+        return coerce_items(p, value)
     if get_origin(p.type) is tuple:
         first, *rest = get_args(p.type)
         require(isinstance(value, (list, tuple, np.ndarray)), "must be a list", value)
@@ -332,15 +283,26 @@ def coerce_items(p, value):
     """Declared values from themselves, from their tables, or from what they hold in the order of its declaration."""
     require(isinstance(value, (list, tuple)), "must be a list", value)
     require_few(p, len(value))
-    declared = parameters(p.item)
+    declared, made, refused = parameters(p.item), [], []
     for number, item in enumerate(value, 1):
-        with at(f"{number}"):
-            if isinstance(item, (list, tuple)):
-                require(len(item) <= len(declared), f"must have at most {len(declared)} values", len(item))
-                item = {q.name: part for q, part in zip(declared, item, strict=False)}
-            elif len(declared) == 1 and not isinstance(item, (dict, p.item)):
-                item = {declared[0].name: item}
-            yield item if isinstance(item, p.item) else filled(p.item, declared, item)
+        try:
+            made.append(coerce_item(p, declared, item))
+        except ShapeError as error:
+            refused.append(error.inside(f"{number}"))
+            if len(refused) == MOST:
+                break
+    if refused:
+        raise together(refused)
+    return tuple(made)
+
+
+def coerce_item(p, declared, item):
+    if isinstance(item, (list, tuple)):
+        require(len(item) <= len(declared), f"must have at most {len(declared)} values", len(item))
+        item = {q.name: part for q, part in zip(declared, item, strict=False)}
+    elif len(declared) == 1 and not isinstance(item, (dict, p.item)):
+        item = {declared[0].name: item}
+    return item if isinstance(item, p.item) else filled(p.item, declared, item)
 
 
 def coerce_kind(p, value):
@@ -364,20 +326,29 @@ def coerce_kind(p, value):
 @contextmanager
 def measured(unit):
     """Say in a refusal what a number would be, of a formula too: it may have been meant as one with its unit."""
+
+    def said(refusal):
+        sentence = refusal.sentence.replace("must be a number,", f"must be {MEASURES[unit]},")
+        formula = f"must be {MEASURES[unit]} or an expression" if unit else "must be an expression"
+        law = f"must be {MEASURES[unit]}, a formula in text or a list of points [t, value]"
+        listed = "must be a list of 2 numbers each"
+        return sentence.replace("must be an expression", formula).replace(listed, listed if refusal.key else law)
+
     try:
         yield
     except ShapeError as error:
-        said = error.sentence.replace("must be a number,", f"must be {MEASURES[unit]},")
-        if unit:
-            said = said.replace("must be an expression", f"must be {MEASURES[unit]} or an expression")
-        raise ShapeError(said, error.key) from error.__cause__
+        raise error.worded(said) from error.__cause__
 
 
 def from_table(names, table, declared):
     """A value from a table of plain values whose ``kind`` is one of the names."""
     table = dict(table)
+    if "kind" not in table:
+        from .hints import kindless  # nobody needs it until something is refused
+
+        raise kindless(names, table)
     with at("kind"):
-        kind = pick(names, table.pop("kind", None))
+        kind = pick(names, table.pop("kind"))
     return filled(kind, declared(kind), table)
 
 
@@ -385,14 +356,23 @@ def filled(kind, declared, table):
     """A value of a kind from a table of some of its parameters."""
     require(isinstance(table, dict), f"must be a table of {', '.join(q.name for q in declared)}", table)
     known = {q.name: q.default for q in declared}
-    for key in (key for key in table if key not in known):
-        raise ShapeError(f"is no parameter of {kind.__name__}, which has {', '.join(known) or 'none'}", named(key))
-    return kind(**known | completed(kind, table))
+    unknown = [key for key in table if key not in known]
+    given = known | completed(kind, table)
+    if not unknown:
+        return kind(**given)
+    from .hints import has_none
+
+    refused = [ShapeError(f"is {has_none(kind.__name__, key, known)}", named(key)) for key in unknown[:MOST]]
+    try:
+        proven(kind, **{key: given[key] for key in known})  # what goes together is not asked where one is missing
+    except ShapeError as error:
+        refused.append(error)
+    raise together(refused)
 
 
 def pick(names, value):
     if isinstance(value, str) and value in names:
         return names[value]
-    from .hints import hint, one_of  # nobody needs it until something is refused
+    from .hints import hint, one_of
 
     raise ShapeError(f"must be {one_of(names, value)}, got {shown(value)}{hint(names, value)}")
