@@ -26,18 +26,21 @@ class VIEW3D_MT_sweep_add(Menu):
 
     def draw(self, context):
         self.layout.operator_context = "INVOKE_REGION_WIN"
+        row = self.layout.row()  # beside each other: one below the other they are higher than a small screen
+        column = row.column(align=True)
         for generator, shapes in SWEEPS.items():
-            self.layout.label(text=generator)
+            column.label(text=generator)
             for shape in shapes:
-                self.layout.operator(idname(shape), icon_value=previews.icon(shape))
-        self.layout.label(text="Grammar")
-        self.layout.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(Plant))
-        self.layout.separator()
+                column.operator(idname(shape), icon_value=previews.icon(shape))
+        column.label(text="Grammar")
+        column.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(Plant))
+        column = row.column(align=True)
+        column.label(text="Presets")
         for entry in dict.fromkeys(preset.group or preset for preset in PRESETS if preset.group != GROWN):
             if entry in GROUPS:
-                self.layout.menu(menu_name(entry))
+                column.menu(menu_name(entry))
             else:
-                draw_preset(self.layout, entry, entry.title)
+                draw_preset(column, entry, entry.title)
 
 
 def menu_name(group):
@@ -77,7 +80,7 @@ def grown_menu(name, label, branching):
         presets = [preset for preset in PRESETS if preset.group == GROWN and branches(preset) == branching]
         row = self.layout.row()
         for first in range(0, len(presets), ROWS):
-            column = row.column()
+            column = row.column(align=True)
             for preset in presets[first : first + ROWS]:
                 draw_preset(column, preset, preset.title)
 

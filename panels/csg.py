@@ -41,7 +41,7 @@ class VIEW3D_PT_sweep_csg(Panel):
             draw_tree(layout, context, ob)
         elif result_of(ob):
             row = layout.row()
-            row.label(text=f"Operand of {result_of(ob).name}", icon=ICONS[step_of(ob).operation])
+            sentences(context)(row, f"Operand of {result_of(ob).name}", ICONS[step_of(ob).operation])
             row.operator("object.select_hierarchy", text="", icon="FILE_PARENT").direction = "PARENT"
 
 
@@ -215,7 +215,8 @@ def draw_operand(layout, operand, say):
     column = box.column()
     column.use_property_split = True
     sweep = objects.is_sweep(operand)
-    column.label(text=f"{operand.name}: {objects.title(objects.group_of(operand.data)[0]) if sweep else 'Mesh'}")
+    kind = objects.title(objects.group_of(operand.data)[0]) if sweep else "Mesh"
+    say(column, f"{operand.name}: {kind}", "OBJECT_DATA")
     if sweep and operand.data.sweep.error:
         say(column, operand.data.sweep.error, "ERROR", alert=True)
     column.prop(operand, "location")

@@ -65,6 +65,16 @@ def test_the_operand_that_is_picked_shows_its_parameters(scene):
     assert "contour_rectangle_width" not in drawn(body)
 
 
+def test_names_are_said_whole_in_lines_that_a_sidebar_holds(scene):
+    body = result()
+    (tool,) = trees.operands(body)
+    body.name, tool.name = "Walls of the northern wing.001", "Translational Sweep.001"
+    for active, said in ((body, f"{tool.name}: Translational Sweep"), (tool, f"Operand of {body.name}")):
+        calls = drawn(active)
+        lines = [call for call in calls if call and call != tool.name and call in said]
+        assert " ".join(lines) == said and max(map(len, lines)) <= (300 - 60) / 7
+
+
 def test_steps_of_an_operand_stand_below_it_further_in(scene):
     inner, outer = result(2), cube(name="outer")
     operands.combine(outer, [inner], "union")

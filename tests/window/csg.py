@@ -12,7 +12,7 @@ from _window import run
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 
 DIFFERENCE = (0.84, 46)  # read off pictures
-WIDTH = {"MANIFOLD": (0.55, 276), "EXACT": (0.55, 323)}  # where there is but the exact solver two lines say so
+WIDTH = {"MANIFOLD": (0.55, 297), "EXACT": (0.55, 344)}  # where there is but the exact solver two lines say so
 
 BODY, TOOL = (0, 0, 0.5), (3.0, 0, 1.0)  # points that are seen of them
 
