@@ -135,7 +135,8 @@ def equal(mesh, made):
 
 
 def write_topology(mesh, topology, vertices):
-    """Replace all faces and edges."""
+    """Replace all faces and edges; those of a mesh that a person has shaded flat stay so."""
+    flat = is_flat(mesh)
     empty = bmesh.new()  # clear_geometry() would delete the keyframes and drivers of the mesh
     empty.to_mesh(mesh)
     empty.free()
@@ -147,6 +148,18 @@ def write_topology(mesh, topology, vertices):
     write_joins(mesh, topology)
     attribute(mesh, "sharp_edge", "BOOLEAN", "EDGE").data.foreach_set("value", topology.sharp)
     attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
+    if flat:
+        attribute(mesh, "sharp_face", "BOOLEAN", "FACE").data.foreach_set("value", np.ones(len(mesh.polygons), bool))
+
+
+def is_flat(mesh):
+    """Whether a mesh is shaded flat, all of it: Blender knows that of each face alone, and of none that is new."""
+    sharp = mesh.attributes.get("sharp_face")
+    if not is_of(sharp, "BOOLEAN", "FACE") or not len(sharp.data):
+        return False
+    values = np.empty(len(sharp.data), bool)
+    sharp.data.foreach_get("value", values)
+    return bool(values.all())
 
 
 def write_joins(mesh, topology):

@@ -115,6 +115,20 @@ def test_keyframes_drivers_and_materials_survive_a_new_topology(scene):
     assert list(ob.data.materials) == [side, None]
 
 
+def test_a_sweep_that_is_shaded_flat_stays_so_in_a_new_topology(scene):
+    """Blender draws a mesh with the normals of its faces where it is flat as a whole, and so do renders."""
+    ob = sweep()
+    shaded = []
+    for shade in (None, bpy.ops.object.shade_flat, bpy.ops.object.shade_smooth):
+        if shade:
+            select(ob)
+            shade()
+        shaded.append(ob.data.normals_domain)
+        parameters_of(ob).contour_circle_points += 1
+        assert ob.data.normals_domain == shaded[-1]
+    assert shaded[1] == "FACE" and shaded[0] == shaded[2] != "FACE"
+
+
 @pytest.mark.parametrize("by_operator", [False, True])
 def test_a_copy_with_its_own_data_is_independent(scene, by_operator):
     ob = sweep()
