@@ -51,6 +51,7 @@ CORNERS = {
     "closed mitres, twisted": tube(
         BAR, path(SQUARE, closed=True), frame=sw.frames.RotationMinimizing(1, 1), samples=MANY
     ),
+    "mitres that taper": tube(DISC, path(ZIGZAG), start=sw.ends.Taper(0.6), end=sw.ends.Taper(0.6), samples=MANY),
     "mitres that shrink": tube(DISC, path(ZIGZAG), scale_x="1 - 0.6*t", scale_y="1 - 0.6*t", samples=MANY),
 }
 LAWS = {

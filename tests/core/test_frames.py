@@ -9,6 +9,7 @@ import pytest
 
 from sweep_addon.core.contours import Rectangle
 from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings.corners import Round
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.stations.frames import (
     Continuation,
@@ -275,3 +276,13 @@ def test_the_first_normal_is_blenders(direction, normal):
     """Blender's curve normals start with z x t, (t.y, -t.x, 0), or x where the tangent is vertical."""
     _, e2, _, _ = framed(RotationMinimizing(), Line(end=direction), Tolerance())
     assert np.abs(e2 - normal).max() < 1e-15
+
+
+@pytest.mark.parametrize("count", [2, 3, 5])
+def test_frenet_frame_of_straight_legs_is_that_of_the_bend_between_them_wherever_contours_stand(count):
+    """A quarter of a turn to the left: its centre is at (0.8, 0.2), inwards of both legs."""
+    path = Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)], corner=Round(0.2))
+    stations = place(path, Count(count))
+    e2, _, told = axes(Frenet(), stations, np.zeros(len(stations.s)))
+    assert e2[0] == pytest.approx((0, 1, 0), abs=1e-12) and e2[-1] == pytest.approx((-1, 0, 0), abs=1e-12)
+    assert told[0].startswith("Frame: the curvature vanishes near u = 0,")

@@ -125,22 +125,15 @@ class Frenet(OfItsPlace):
 
     def angles(self, stations, normals, holonomy, symmetry):
         """The angle of the principal normal from the rotation-minimizing normals, (n,), and a warning."""
-        found, curved = self.towards(stations, normals)
-        refused = self.continuation is Continuation.REFUSE
-        if not (curved.any() or refused):
-            return np.zeros(len(found)), (
-                "Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",
-            )
-        filled = fill(stations, found, curved, holonomy) if curved.any() else found
-        flips = flipping(filled, stations, holonomy)
-        told = ()
-        if not curved.all() or flips.any():
-            place = lost(stations, curved, flips)
-            told = (f"Frame: the curvature vanishes near u = {place}, where the Frenet frame is not defined.",)
-            if refused:
-                sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
-                raise ShapeError(sentence, "frame.continuation")
-        return along_path(self, stations, found, curved)[0], told
+        angles, place = along_path(self, stations, *self.towards(stations, normals))
+        if place is None:
+            return angles, ()
+        if self.continuation is Continuation.REFUSE:
+            sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
+            raise ShapeError(sentence, "frame.continuation")
+        if not continued(self, stations.trajectory)[-1]:
+            return angles, ("Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",)
+        return angles, (f"Frame: the curvature vanishes near u = {place}, where the Frenet frame is not defined.",)
 
     @property
     def keeps_its_side(self):
@@ -320,25 +313,27 @@ def continued(frame, trajectory):
         By multiples of which an angle may be off that by definition: half a turn if the frame keeps its side.
     place : str or None
         Where it is first not defined, or turns by more than a right angle at once, as people read it.
+    defined : bool
+        Whether it is defined anywhere.
     """
     s, placed = evenly(trajectory)
     normals, holonomy = rotation_minimizing(placed)
     found, defined = frame.towards(placed, normals)
     if not defined.any():
-        return s, np.zeros(len(s)), tau, lost(placed, defined, None)
+        return s, np.zeros(len(s)), tau, lost(placed, defined, None), False
     flips = flipping(fill(placed, found, defined, holonomy), placed, holonomy)
     angles = fill(placed, found, defined, holonomy, half=frame.keeps_its_side)
     period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
     if placed.closed:
         angles = np.append(angles, angles[-1] + nearest(angles[0] - holonomy - angles[-1], period))
-    return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips)
+    return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips), True
 
 
 def along_path(frame, stations, found, defined):
     """The angles of a frame at stations, (n,), by those of its definition and where there are any, and the place where
     it is `continued` beyond that, or None.
     """
-    s, angles, period, place = continued(frame, stations.trajectory)
+    s, angles, period, place, _ = continued(frame, stations.trajectory)
     near_by = np.interp(stations.s, s, angles)
     return np.where(defined, near_by + nearest(found - near_by, period), near_by), place
 

@@ -15,12 +15,14 @@ from ...trajectories.legs import Cut
 from ...vectors import cross, unit
 from .way import Carried
 
+TIP = 1e-12  # a scale of a contour that is a point: its plane has axes all the same
+
 
 def leans(along):
-    """Whether planes are to lean: on legs with mitres, where laws change the contour, or a bevel stands for a mitre."""
+    """Whether planes are to lean: where laws or tapers change the contour between mitres, or a bevel stands for one."""
     path = along.trajectory
     mitred = isinstance(path, Polyline) and not path.rounded and len(path.corners())
-    return isinstance(path, Cut) or bool(mitred and not along.is_constant)
+    return isinstance(path, Cut) or bool(mitred and not (along.is_constant and not any(along.tapers)))
 
 
 class Leaning:
@@ -41,24 +43,24 @@ class Leaning:
 
     def breaks(self):
         """Arc lengths where planes begin to lean, or cease to."""
-        stations, rings, _ = self.rings(self.corners)
+        stations, rings, *_ = self.rings(self.corners)
         (first, last, _), (starts, ends) = legs(stations), fans(stations, rings, self.reach)
         places = np.concatenate((stations.s[first] + starts[1], stations.s[last] - ends[1]))
         return places % stations.total
 
     def rings(self, s):
-        """Stations, the contours' ways off them and their axes before they lean, and the scales in these."""
+        """Stations, the contours' ways off them and their axes before they lean, and the scales of and in these."""
         stations, scales, offset, e2, e3 = self.standing(s)
-        x, y = e2 * scales[:, [0]], e3 * scales[:, [1]]
-        return stations, np.stack((across(offset, e2, e3), x, y)), scales
+        some = np.where(scales == 0, TIP, scales)
+        return stations, np.stack((across(offset, e2, e3), e2 * some[:, [0]], e3 * some[:, [1]])), scales, some
 
     def carried(self, s):
         """The planes at rising arc lengths: a `Carried`."""
         held = np.unique(np.concatenate((s, self.corners)))
-        stations, rings, scales = self.rings(held)
+        stations, rings, *scales = self.rings(held)
         middle, x, y = placed(stations, self.reach, *rings)[:, np.searchsorted(held, s)]
-        scales = scales[np.searchsorted(held, s)]
-        x, y = (axis / np.where(scale == 0, 1.0, scale)[:, None] for axis, scale in zip((x, y), scales.T, strict=True))
+        scales, some = (part[np.searchsorted(held, s)] for part in scales)
+        x, y = x / some[:, [0]], y / some[:, [1]]
         normal = unit(cross(x, y))
         told = np.linalg.inv(np.stack((x, y, normal), axis=2))
         return Carried(middle, normal, told[:, 0], told[:, 1], scales)

@@ -56,6 +56,7 @@ class Way(NamedTuple):
     region: object  # of the plane: depth, exact and growth of (points, parameters), and box
     parts: int = 16  # panels at least
     corners: tuple = ()
+    aside: float = 0.0  # how far the contour's origin gets from the trajectory, as far as corners ask for it
     limits: tuple = ()
     beyond: tuple = (0.0, 0.0)  # how far it goes on straight, before its start and after its end
     domes: tuple = ()

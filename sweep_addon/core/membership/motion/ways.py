@@ -21,7 +21,7 @@ from ...stations.sampling import stations
 from ...stations.spans import spans
 from ...trajectories import Polyline
 from ...trajectories.arc_length import arc_length
-from ...vectors import norms, unit
+from ...vectors import dot, norms, unit
 from ..plane.drawn import Drawn
 from ..plane.regions import Level, Still, region
 from ..plane.smooth import Disc
@@ -65,7 +65,8 @@ def of_cylinder(shape):
         looked = np.linspace(0.0, measure.total, LOOKED)
         inside = Drawn(lambda s: change.at(s / measure.total), section.offsets, looked, section.gaps)
         breaks = np.append(breaks, change.places * measure.total)
-    way = Way(carried, apart(breaks, measure.total), closed, inside, PARTS, corners, parameter=measure.parameter)
+    aside, places = along.farthest(0.0), apart(breaks, measure.total)
+    way = Way(carried, places, closed, inside, PARTS, corners, aside, parameter=measure.parameter)
     clean = partial(is_clean_tube, shape) if along.is_constant and not (change or corners) else None
     return way._replace(domes=tuple(domes(shape, ends, way)), faces=faces_of(ends), clean=clean)
 
@@ -82,15 +83,29 @@ def domes(shape, ends, way):
     """The round ends of a generalized cylinder, as its mesh has them."""
     if not any(isinstance(end, Round) for end in ends):
         return
-    swept = shape.swept()
-    body, sections = swept.body, (section_of(shape.contour, Fit.INSCRIBED),) * 2
-    made = domes_of(ends, body, sections, shape.samples, Fit.INSCRIBED)
-    at = way.carried(np.concatenate((way.breaks[[0]], way.breaks[[0, -1]])))
-    for number, (dome, side) in enumerate(zip(made, (-1.0, 1.0), strict=True)):
+    section, change = replace(shape, fit=Fit.INSCRIBED).moving()
+    sections = change.ends if change else (section, section)
+    made = domes_of(ends, shape.swept().body, sections, shape.samples, Fit.INSCRIBED)
+    onward = -1.0 if runs_backward(way, change.centroids if change else lambda t: section.centroid[:, None]) else 1.0
+    at = way.carried(way.breaks[[0, -1]])
+    for number, (dome, side) in enumerate(zip(made, (-onward, onward), strict=True)):
         if len(dome):
-            here = Carried(*(part[1 + number] for part in at))
-            yield Dome(here.middle, side * here.normal, np.stack((here.x, here.y)), here.scales, dome.centre,
-                       float(dome.height.max()), way.breaks[-number])  # fmt: skip
+            here = Carried(*(part[number] for part in at))
+            centre, height = sections[number].centroid, float(dome.height.max())
+            axes = np.stack((here.x, here.y))
+            yield Dome(here.middle, side * here.normal, axes, here.scales, centre, height, way.breaks[-number])
+
+
+def runs_backward(way, centroids):
+    """Whether a contour's middles, beyond the centres of curvature, run backward all the way.
+
+    Its round ends are then on the other sides. The middles are at ``centroids``, of parts of the way (n,) to (2, n).
+    """
+    t = np.linspace(0.0, 1.0, LOOKED)
+    at = way.carried(way.breaks[0] + t * (way.breaks[-1] - way.breaks[0]))
+    x, y = (centroids(t) * at.scales.T)[..., None]
+    steps = np.diff(at.middle + x * at.x + y * at.y, axis=0)
+    return bool((dot(steps, at.normal[1:] + at.normal[:-1]) < 0).all())
 
 
 def of_translation(shape):

@@ -15,11 +15,12 @@ from functools import cached_property
 
 import numpy as np
 
+from ...variation.along import NOTHING
 from ...vectors import dot, norms
 from ..labels import IN, ON, OUT, TOUCHED, joined
 from ..motion.corners import with_corners
 from ..motion.hash import Boxes, Capsules, portions
-from ..motion.panels import PLACES, derivative, panels, powers, slopes
+from ..motion.panels import PLACES, at_both, derivative, panels, powers, slopes
 from ..motion.planes import MIDDLE, NORMAL, SCALES, SPACE, Planes, X, Y, off
 from ..motion.reach import chords
 from .domes import as_sweep, in_dome
@@ -67,7 +68,7 @@ class MovingPlane:
         sizes = np.ones(MIDDLE.stop)
         sizes[[3, 7, 11]], sizes[SCALES], sizes[SPACE], sizes[MIDDLE] = extent, self.widest, extent, extent
         pieces = panels(self.channels, way.breaks, way.parts, sizes)
-        self.panels, self.cuts, self.legs = with_corners(pieces, way, self.reach)
+        self.panels, self.cuts, self.legs = with_corners(pieces, way, way.aside + self.reach)
         low, high = (side[:, SPACE].reshape(-1, 4, 3) for side in self.panels.bounds)
         self.low, self.high = low.min(axis=1), high.max(axis=1)
         ends = [np.stack((d.middle - d.height - self.reach, d.middle + d.height + self.reach)) for d in way.domes]
@@ -112,7 +113,17 @@ class MovingPlane:
         labels = self.swept(points, tolerance)
         for dome in self.way.domes:
             labels = joined(labels, in_dome(dome, self.region, points, tolerance, self.is_sheet))
+        for tip in self.tips:
+            labels[(labels != IN) & (norms(points - tip) <= tolerance)] = ON
         return np.where(labels == TOUCHED, ON, labels) if self.is_sheet else labels
+
+    @cached_property
+    def tips(self):
+        """The ends of an open way that are points: (k, 3). No series follows a law that comes there too steeply."""
+        if self.way.closed:
+            return np.zeros((0, 3))
+        at = self.way.carried(self.way.breaks[[0, -1]])
+        return at.middle[np.abs(at.scales).max(axis=1) <= NOTHING * self.widest]
 
     def distance(self, points):
         """How far points (n, 3) are from the boundary, or a fair part of that, negative inside, or less: (n,)."""
@@ -205,12 +216,18 @@ class MovingPlane:
         kept = self.cut_off(places, panel, parameter)
         present = (depth <= tolerance) & (kept <= tolerance)
         if self.is_sheet:
-            face = self.at_ends(places, panel, x, tolerance, self.way.faces)
+            face = self.at_ends(places, panel, tolerance, self.way.faces)
             face |= np.abs(self.beyond_limits(places, parameter)) <= tolerance
             return np.zeros(len(x), dtype=bool), (present & ((depth >= -tolerance) | face)).astype(np.int8)
-        edge = self.at_ends(places, panel, x, tolerance)
+        edge = self.at_ends(places, panel, tolerance)
         inside = (depth < -tolerance) & (kept < -tolerance) & ~edge
         contact = (present & ~inside).astype(np.int8)
+        for side, others in enumerate(self.leaps.T):
+            here = np.flatnonzero(inside & (others[panel] >= 0))
+            here = here[np.abs(off(places[here], self.planes.ends[side], panel[here])) <= tolerance]
+            other, begin = others[panel[here]], np.full(len(here), (1.0, -1.0)[side])
+            beyond = self.depths(places[here], other, begin, parameter[here], tolerance) >= -tolerance
+            inside[here[beyond]], contact[here[beyond]] = False, 1
         folds = np.flatnonzero(~self.planes.falling[panel] & present)
         folds = folds[self.folded(places[folds], panel[folds], x[folds], tolerance)]
         inside[folds], contact[folds] = False, 2
@@ -287,13 +304,27 @@ class MovingPlane:
         found[smooth[[0, -1]], [0, 1]] &= np.array(self.way.beyond) == 0
         return found
 
-    def at_ends(self, places, panel, x, tolerance, faces=(True, True)):
+    def at_ends(self, places, panel, tolerance, faces=(True, True)):
         """Whether hits are on the plane in which an open sweep begins or ends, where it has a face: (n,) bool."""
-        found = np.zeros(len(x), dtype=bool)
+        found = np.zeros(len(panel), dtype=bool)
         for planes, outer, face in zip(self.planes.ends, self.outer.T, faces, strict=True):
             here = np.flatnonzero(outer[panel] & face)
             found[here] |= np.abs(off(places[here], planes, panel[here])) <= tolerance
         return found
+
+    @cached_property
+    def leaps(self):
+        """Before and after which panel the contour turns at once within its plane: the other panel, or -1: (k, 2) int.
+
+        What is in one figure there and not in the other is a face.
+        """
+        found = np.full((len(self.panels.start), 2), -1)
+        smooth = np.flatnonzero(self.panels.start < self.panels.end)
+        before, after = (smooth, np.roll(smooth, -1)) if self.way.closed else (smooth[:-1], smooth[1:])
+        begin, end = at_both(self.panels.series[:, SPACE])
+        leaps = np.abs(begin[after] - end[before]).max(axis=1) > SAME * norms(self.box[1] - self.box[0])
+        found[before[leaps], 1], found[after[leaps], 0] = after[leaps], before[leaps]
+        return np.where(self.cuts.any(axis=2), -1, found)  # a corner cuts off each leg by itself
 
     def folded(self, places, panel, x, tolerance):
         """Whether so near to places the planes turn back that none may pass through some neighbour: (n,) bool."""
