@@ -5,7 +5,8 @@
 import numpy as np
 import pytest
 
-from sweep_addon.core.vectors import MANY, ROWS, dot, norms, product
+from sweep_addon.core import vectors
+from sweep_addon.core.vectors import MANY, ROWS, TOGETHER, added, dot, is_tuned, norms, product
 
 
 @pytest.mark.parametrize("count", [1, MANY - 1, MANY, ROWS, ROWS + 1, 2 * ROWS + 7])
@@ -37,7 +38,14 @@ def test_a_product_is_the_same_however_many_there_are_and_however_they_lie(count
         assert dot(first, second)[::97].tolist() == alone
 
 
-@pytest.mark.parametrize("shape", [(9, 1000), (64, 30_000), (3, 50)])
+@pytest.fixture(params=[True, False], ids=["tuned", "plain"])
+def either_way(request, monkeypatch):
+    """As where NumPy multiplies by a BLAS that is tuned, and as where it does not."""
+    monkeypatch.setattr(vectors, "tuned", lambda: request.param)
+
+
+@pytest.mark.parametrize("shape", [(9, 1000), (64, 30_000), (3, 50), (0, 5), (5, 0)])
+@pytest.mark.usefixtures("either_way")
 def test_a_matrix_product_of_whole_numbers_is_exact_in_whatever_blocks_it_is_made(shape):
     rows, columns = shape
     left, right = (np.random.default_rng(rows).integers(-99, 99, size) for size in ((rows, 3), (3, columns)))
@@ -46,3 +54,48 @@ def test_a_matrix_product_of_whole_numbers_is_exact_in_whatever_blocks_it_is_mad
     product(left.astype(float), right.astype(float), out)
 
     assert (out == left @ right).all()
+
+
+@pytest.mark.parametrize("count", [0, 1, TOGETHER - 1, TOGETHER, TOGETHER + 1, 3 * TOGETHER + 7])
+@pytest.mark.usefixtures("either_way")
+def test_whole_numbers_are_added_to_rows_exactly_however_many_there_are(count):
+    made = np.random.default_rng(count)
+    left, shares, right = (made.integers(-99, 99, size) for size in ((5, 2), (2, 8), (count, 8)))
+    out = np.empty((5, count, 8))
+
+    added(left.astype(float), shares.astype(float), right.astype(float), out)
+
+    assert (out == right + (left @ shares)[:, None]).all()
+
+
+@pytest.mark.parametrize("name", ["scipy-openblas", "openblas64", "accelerate", "mkl-sdl", "blis"])
+def test_a_blas_that_is_tuned_is_known_by_what_numpy_says_of_it(name):
+    assert is_tuned({"Build Dependencies": {"blas": {"name": name, "found": True}}})
+
+
+@pytest.mark.parametrize("blas", [{"name": "blas", "found": True}, {"name": "none", "found": False}, {"found": False}])
+def test_the_reference_and_none_are_not_tuned(blas):
+    assert not is_tuned({"Build Dependencies": {"blas": blas}})
+    assert not is_tuned({})
+
+
+@pytest.mark.usefixtures("asked_again")
+def test_numpy_is_asked_what_it_was_built_with(monkeypatch):
+    monkeypatch.setattr(np, "show_config", lambda mode: {"Build Dependencies": {"blas": {"name": "openblas"}}})
+
+    assert vectors.tuned()
+
+
+@pytest.mark.usefixtures("asked_again")
+def test_a_numpy_that_does_not_say_is_taken_to_have_none(monkeypatch):
+    monkeypatch.setattr(np, "show_config", lambda: None)  # as it is where NumPy was built in the old way
+
+    assert not vectors.tuned()
+
+
+@pytest.fixture
+def asked_again():
+    """What is known of NumPy is forgotten before and after."""
+    vectors.tuned.cache_clear()
+    yield
+    vectors.tuned.cache_clear()

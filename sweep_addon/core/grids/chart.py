@@ -9,7 +9,7 @@ import numpy as np
 from ..declared.digest import checksum
 from ..declared.frozen import individual
 from ..meshes.runs import backward, run_of
-from ..vectors import product
+from ..vectors import added
 from .grid import Grid
 from .texture import Texture
 
@@ -84,7 +84,7 @@ class Chart:
             return None
         _, below, above = self.grid.bands()
         low, high, left, right = self.strip()
-        sides = np.stack((np.ones_like(left), left, right), axis=1).astype(dtype)
+        sides = np.stack((left, right), axis=1).astype(dtype)
         sides = [np.ascontiguousarray(sides[columns]) for columns in self.grid.strips]
         middle, every = (low + high) / 2, np.full(len(low), True)
         kinds = (
@@ -94,20 +94,19 @@ class Chart:
             (sides[1], every, (middle, low, high), (0, 1, 1)),
             (sides[2], every, (low, middle, high), (0, 1, 0)),
         )
-        kinds = [kind for kind in kinds if len(kind[0])]
-        widths = [2 * len(shares) * np.count_nonzero(chosen) for _, chosen, _, shares in kinds]
+        kinds = [(*kind, np.count_nonzero(kind[1])) for kind in kinds if len(kind[0])]
         caps = list(self.cap_uv(dtype))
-        corners = sum(len(sides) * width for (sides, *_), width in zip(kinds, widths, strict=True))
+        corners = sum(2 * len(sides) * len(shares) * bands for sides, *_, shares, bands in kinds)
         uv = empty(corners + sum(cap.size for cap in caps), dtype)
         start = 0
-        for (sides, chosen, along, shares), width in zip(kinds, widths, strict=True):
-            # One matrix product lays all corners: along the trajectory + left + right, each by its share.
-            rows = np.zeros((3, width // (2 * len(shares)), len(shares), 2), dtype)
+        for sides, chosen, along, shares, bands in kinds:
+            rows, across = np.zeros((bands, len(shares), 2), dtype), np.zeros((2, len(shares), 2), dtype)
             for corner, end in enumerate(along):
-                rows[0, :, corner, 0] = end if chosen.all() else end[chosen]
-            rows[1, ..., 1], rows[2, ..., 1] = 1 - np.array(shares), shares
-            part = uv[start : start + len(sides) * width].reshape(len(sides), width)
-            product(sides, rows.reshape(3, width), part)
+                rows[:, corner, 0] = end if bands == len(end) else end[chosen]
+            across[..., 1] = 1 - np.array(shares), shares
+            width = 2 * len(shares)
+            part = uv[start : start + len(sides) * bands * width].reshape(len(sides), bands, width)
+            added(sides, across.reshape(2, width), rows.reshape(bands, width), part)
             start += part.size
         uv[start:] = np.concatenate([np.empty(0, dtype), *(cap.ravel() for cap in caps)])
         return uv.reshape(-1, 2)
