@@ -10,7 +10,16 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 0
 """
 
+import sys
 from importlib.util import find_spec
+
+try:
+    import numpy  # noqa: F401, so that where it is missing one sentence says so
+except ModuleNotFoundError as missing:
+    NEEDED = f"Sweep needs NumPy, which {sys.executable} has not: pip install numpy, in a virtual environment of it."
+    if sys.argv[:1] == ["-m"]:  # python -m sweep_addon, which finds the package before it runs it
+        sys.exit(NEEDED)
+    raise ModuleNotFoundError(NEEDED, name=missing.name) from None
 
 from .core import contours, solids, trajectories
 from .core.declared.parameters import ShapeError

@@ -4,6 +4,7 @@
 
 import importlib.util
 import json
+import os
 import re
 import struct
 import subprocess
@@ -202,6 +203,20 @@ def test_python_runs_the_library_as_a_program(job):
     if "No module named" in done.stderr:
         pytest.skip("this host's Python is started by Blender alone")
     assert (done.returncode, done.stderr) == (0, "") and done.stdout.startswith(str(job))
+
+
+@pytest.mark.parametrize(
+    "arguments", [("check", "docs/demo.toml"), ("build", "a.toml", "-o", "a.glb"), ("describe",), ()]
+)
+def test_without_numpy_a_sentence_says_what_is_missing(arguments, tmp_path):
+    (tmp_path / "numpy.py").write_text("raise ModuleNotFoundError(\"No module named 'numpy'\", name='numpy')")
+    line, there = [sys.executable, "-m", "sweep_addon", *arguments], os.environ | {"PYTHONPATH": str(tmp_path)}
+    done = subprocess.run(line, cwd=CHECKOUT, env=there, capture_output=True, text=True)
+    if "No module named sweep_addon" in done.stderr:
+        pytest.skip("this host's Python is started by Blender alone")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("Sweep needs NumPy, which ") and "pip install numpy" in done.stderr
+    assert done.stderr.count("\n") == 1
 
 
 def signed_volume(triangles):
