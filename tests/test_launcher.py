@@ -3,6 +3,8 @@
 """scripts/blender speaks Blender's command line, whether the real one or the bpy wheel is behind it."""
 
 import importlib.util
+import os
+import pty
 import subprocess
 from pathlib import Path
 
@@ -28,6 +30,17 @@ def test_version_is_a_supported_one():
     answer = blender("--version").stdout
     major, minor = answer.split()[1].split(".")[:2]
     assert answer.startswith("Blender ") and (int(major), int(minor)) >= (4, 5)
+
+
+def test_a_terminal_is_told_which_blender_it_is_and_how_to_get_another():
+    screen, terminal = pty.openpty()
+    done = subprocess.run([LAUNCHER, "--version"], stdout=subprocess.PIPE, stderr=terminal, text=True, timeout=120)
+    os.close(terminal)
+    told = os.read(screen, 1000).decode()
+    os.close(screen)
+    assert "scripts/blender: " in told and "SWEEP_BLENDER=" in told and "BLENDER=PROGRAM" in told
+    assert done.stdout.startswith("Blender ")
+    assert "scripts/blender: " not in blender("--version").stderr  # nor is a log
 
 
 @pytest.mark.parametrize(

@@ -48,14 +48,26 @@ def find():
 
 
 def some():
-    """A Blender, made if need be: the wheel, or where there is none for this machine, Debian's."""
-    if not find():
+    """A Blender, made if need be: what is asked for, else the wheel, or where there is none for it, Debian's."""
+    if not find() and os.environ.get("SWEEP_BLENDER") == "root":
+        debian.make()
+    elif not find():
         try:
             venvs.made(venvs.BLENDER)
         except SetupError as error:
             show(str(error))
             debian.make()
     return find() or refuse()
+
+
+def others(blender):
+    """How to get another Blender than one, for somebody who did not choose it."""
+    other = (
+        "SWEEP_BLENDER=wheel for the bpy wheel"
+        if blender.real
+        else "SWEEP_BLENDER=root for a real one, set up if need be"
+    )
+    return f"{other}, BLENDER=PROGRAM for one of yours"
 
 
 def real():

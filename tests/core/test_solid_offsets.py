@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Offsets of solids against Steiner's formula, each engine against the others, and random shapes that must be valid."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from brute_force import crossing_faces
@@ -13,6 +15,7 @@ from sweep_addon.core.distance import Tree, nearest
 from sweep_addon.core.meshes.booleans import hull_body, mesh_of
 from sweep_addon.core.meshes.facets import facets
 from sweep_addon.core.meshes.polyhedron import polyhedron
+from sweep_addon.core.offsets import rounded_union
 from sweep_addon.core.offsets.band import narrow_band
 from sweep_addon.core.offsets.convex import is_convex
 from sweep_addon.core.offsets.crossings import crossing_pairs
@@ -345,6 +348,20 @@ def test_a_solid_of_given_triangles_is_offset_too():
     assert_valid(offset(Triangles.of(HOLLOW["bracket"]).mesh(), 0.01))
 
 
+def test_the_sides_of_an_offset_are_made_of_one_union(monkeypatch):
+    asked, united = [], rounded_union.hulls_united
+    monkeypatch.setattr(rounded_union, "KEPT", {})
+    monkeypatch.setattr(rounded_union, "hulls_united", lambda *told: asked.append(told) or united(*told))
+    shapes = [OffsetSurface(DrilledBlock(points=12), 0.05, side) for side in Side]
+    kept = [shape.mesh() for shape in shapes]
+    assert len(asked) == 1
+    for shape, mesh in zip(shapes, kept, strict=True):
+        rounded_union.KEPT.clear()
+        assert (shape.mesh().vertices == mesh.vertices).all()
+    replace(shape, radius=0.04).mesh()
+    assert len(asked) == 5
+
+
 @pytest.mark.parametrize("engine", [Engine.ROUNDED_FACES, Engine.LEVEL_SET])
 def test_progress_rises_step_by_step_and_what_it_raises_ends_the_work(engine):
     told = []
@@ -361,5 +378,5 @@ def test_progress_rises_step_by_step_and_what_it_raises_ends_the_work(engine):
 
     told.clear()
     with pytest.raises(InterruptedError):
-        shape.solid(progress=cancel)
+        replace(shape, radius=0.02).solid(progress=cancel)  # another, as what was united last is kept
     assert len(told) == 2 and told[1] < 0.5

@@ -15,6 +15,7 @@ from .sphere import globe
 GROUP = 16  # bodies that are united between two reports of progress
 UNITED = 0.75  # of the work: the groups; the rest is to unite these
 FLAT = 1e-9  # of a unit normal: faces that differ by less are one
+KEPT = {}  # what was united last, by what it was made from: of all sides of an offset it is the same
 
 
 @individual
@@ -56,6 +57,18 @@ def rounded(vertices, triangles, radius, sides, progress=unheard):
 
     A face moves by the whole radius however coarse the ball is: its own corners moved along its normal are in its hull.
     """
+    question = vertices.tobytes(), triangles.tobytes(), radius, sides
+    found = KEPT.get(question)
+    if found is None:
+        found = hulls_united(vertices, triangles, radius, sides, progress)
+        KEPT.clear()
+        KEPT[question] = found
+    progress(1.0)
+    return found
+
+
+def hulls_united(vertices, triangles, radius, sides, progress):
+    """What `rounded` says, made anew."""
     ball = globe(sides)
     facets = hull_body(ball)
     corners, faces, _ = arrays(facets)
@@ -72,7 +85,6 @@ def rounded(vertices, triangles, radius, sides, progress=unheard):
             progress(UNITED * number / len(flat))
     whole = united(done)
     whole.status()
-    progress(1.0)
     return Rounded(whole, len(flat), inscribed)
 
 
