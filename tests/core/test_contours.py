@@ -124,6 +124,12 @@ def test_the_first_point_stays_first_when_a_loop_is_turned():
     assert section.area == 1
 
 
+@pytest.mark.parametrize("size", [1e-160, 1.0, 1e12])
+def test_the_centroid_of_a_triangle_of_any_size_is_the_mean_of_its_corners(size):
+    corners = size * np.array([(0, 0), (1, 0), (0.5, 0.75)])
+    assert Section.from_loops([corners]).centroid == pytest.approx(corners.mean(axis=0), rel=1e-12, abs=0)
+
+
 def test_a_hole_counts_against_the_centroid():
     section = Section.from_loops([square(4, 10), square(2, 11, 1)[::-1]])
     assert section.centroid == pytest.approx([12, 2], abs=1e-12)

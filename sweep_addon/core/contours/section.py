@@ -135,10 +135,11 @@ class Section:
         if not self.closed:
             return self.middle
         origin = self.points[0]
-        here = self.points - origin
+        size = np.frexp(np.abs(self.points - origin).max())[1]
+        here = np.ldexp(self.points - origin, -size)  # products of very small coordinates would be 0
         there = here[self.following]
         twice = here[:, 0] * there[:, 1] - here[:, 1] * there[:, 0]
-        return origin + twice @ (here + there) / (3 * twice.sum())
+        return origin + np.ldexp(twice @ (here + there) / (3 * twice.sum()), size)
 
     def support(self, directions):
         """How far the section reaches from the reference point along directions (n, 2), times their lengths: (n,)."""
