@@ -66,3 +66,13 @@ def test_what_other_languages_write_is_told_as_toml_has_it(line):
     assert refusal(line) == f"line 3: must be TOML: {MEANT[line]}"
     if ", got" not in MEANT[line]:
         tomllib.loads(MEANT[line].partition(": ")[2])
+
+
+def test_lines_after_one_that_was_clearly_meant_are_told_of_too():
+    text = "twist = 2*pi*t\nkind = 'plant'\nstart = open\nrows = [\n  1,\n]\nupright = True\n= 3\nend = open\n"
+    with pytest.raises(ShapeError) as caught:
+        tables(text)
+    assert [refusal.key for refusal in caught.value.each()] == ["line 1", "line 3", "line 7", "line 8"]
+    with pytest.raises(ShapeError) as caught:
+        tables("twist = 2*pi*t\n" * 1000)
+    assert len(caught.value.each()) == 20

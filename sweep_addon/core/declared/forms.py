@@ -14,6 +14,7 @@ from dataclasses import is_dataclass
 from ..later import later
 from .parameters import ShapeError, from_table, parameters, require, spelled
 from .plain import MIGRATIONS, VERSION, plain
+from .refusals import together
 
 counted = later("core.csg.shared", "counted")
 
@@ -35,8 +36,6 @@ def tables(text):
     """
     import tomllib  # 2 ms of a start that most sweeps can do without
 
-    from .slips import corrected
-
     require(len(text) <= LONGEST, f"must have at most {LONGEST} characters", len(text))
     try:
         text = text.decode("utf-8-sig") if isinstance(text, bytes) else text
@@ -51,11 +50,10 @@ def tables(text):
     try:
         table = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        what, _, place = str(error).rpartition(" (at ")
-        line = re.match(r"line \d+", place)
-        line = line.group() if line else f"line {len(text.splitlines()) or 1}"
-        wrong = "".join(text.split("\n")[int(line.split()[1]) - 1 :][:1])
-        raise ShapeError(f"must be TOML: {corrected(wrong, what)}", line) from None
+        from .slips import slips
+
+        wrong = slips(text, error)
+        raise together(ShapeError(f"must be TOML: {said}", f"line {line}") for line, said in wrong) from None
     except (ValueError, RecursionError):
         raise ShapeError(f"must be TOML, nested at most {DEEPEST} deep, with numbers of at most 64 bits") from None
     check_bounds(table)

@@ -3,10 +3,13 @@
 """Slips in TOML: what would do in the place of a line that is none."""
 
 import re
+import tomllib
 
+from .refusals import MOST
 from .wording import shown
 
 LONGEST = 200  # characters of a line that are looked at
+LONG = 1_000_000  # characters of a text that is not read again
 
 BARE = re.compile(r"""^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{#][^"'#]*)""")
 BARE_INSIDE = re.compile(r"""[{,][ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{},#][^"'\[\]{},#=]*)(?![^,}]*=)""")
@@ -38,6 +41,30 @@ WOULD_DO = {  # by how the parser of Python's library begins to say what is wron
 }
 
 
+def slips(text, error):
+    """What is wrong in a text that is no TOML: the number of a line and what to say of it, for each.
+
+    After a line of which it is clear what was meant, the text is read without it for the next.
+    """
+    lines = text.split("\n")
+    for _ in range(MOST):
+        said, _, place = str(error).rpartition(" (at ")
+        found = re.match(r"line (\d+)", place)
+        number = int(found[1]) if found else len(text.splitlines()) or 1  # at its end
+        wrong = "".join(lines[number - 1 : number]).strip()[:LONGEST]
+        yield number, corrected(wrong, said)
+        if not meant(wrong) or len(text) > LONG:
+            return
+        lines[number - 1] = ""
+        try:
+            tomllib.loads("\n".join(lines))
+            return
+        except tomllib.TOMLDecodeError as next_error:
+            error = next_error
+        except (ValueError, RecursionError):
+            return
+
+
 def corrected(line, said):
     """What would do in the place of a line that is no TOML.
 
@@ -56,7 +83,6 @@ def corrected(line, said):
     >>> corrected('kind "circle"', "Expected '=' after a key in a key/value pair")
     'a line is key = value, [table] or a comment after #, got \\'kind "circle"\\''
     """
-    line = line.strip()[:LONGEST]
     known = next((advice for beginning, advice in WOULD_DO.items() if said.startswith(beginning)), None)
     return meant(line) or f"{known or said[:1].lower() + said[1:]}, got {shown(line)}"
 
