@@ -174,8 +174,8 @@ def folds_told(stations, aside, x, y, support):
     if len(stations.corners):
         bend = bend.copy()
         bend[stations.corners] = 0.0  # a corner's bend is no curvature: its mitre is another matter
-    longest = max(norms(axis).reshape(len(axis), -1).sum(axis=1).max() for axis in (x, y))
-    farthest = support(AROUND).max() * np.sqrt(2) * longest + norms(aside).max()
+    longest = max(summed(norms(axis)).max() for axis in (x, y))
+    farthest = support(AROUND).max() * np.sqrt(2) * longest + (norms(aside).max() if aside.any() else 0.0)
     bent = np.flatnonzero(norms(bend) * farthest >= 1)
     if not len(bent):
         return ()
@@ -186,6 +186,11 @@ def folds_told(stations, aside, x, y, support):
     passed = np.flatnonzero(behind[1:] != behind[:-1])  # the centre, from one station to the next
     values[passed] = np.maximum(values[passed], 0.0)
     return stretches_told(stations, values, sentence)
+
+
+def summed(values):
+    """Values (n,) as they are, or the sums of those of each row, (n, k)."""
+    return values.sum(axis=1) if values.ndim > 1 else values
 
 
 def stretches_told(stations, values, sentence):
@@ -222,7 +227,8 @@ def running_backward(stations, rings, centroid, moved):
 
     The surface is then that of a sweep the other way; where some do and others do not, it folds.
     """
-    if not moved and np.linalg.norm(centroid) * np.abs(rings[1:]).max() <= ROUNDING * stations.total:
+    longest = max(rings[1:].max(), -rings[1:].min())
+    if not moved and np.linalg.norm(centroid) * longest <= ROUNDING * stations.total:
         return False
     x, y = np.reshape(centroid, (2, -1, 1))  # one, or one for each station
     middles = rings[0] + x * rings[1] + y * rings[2]

@@ -220,7 +220,8 @@ def stations(trajectory, s):
     arrive[joint] = trajectory.tangents(entered[joint], before=True)
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
-    for lost, other in ((leave, arrive), (arrive, leave)):  # a direction is lost where rounding outweighs the speed
+    both = () if trajectory.pace else ((leave, arrive), (arrive, leave))
+    for lost, other in both:  # a direction is lost where rounding outweighs the speed
         gone = zeros(lost)
         lost[gone] = other[gone]
     bends = bend(trajectory, u, False, first, second)
