@@ -10,10 +10,13 @@ import numpy as np
 
 from ..core.contours import Fit, Mixed, Outline, all_fitted
 from ..core.declared.parameters import require
+from ..core.later import later
 from ..core.stations.cells import bend
 from ..core.stations.sampling import Tolerance, place
 from ..core.trajectories import Bezier, Nurbs, Polyline
 from ..core.trajectories.arc_length import arc_length
+
+around_letters, letter_paths = later("bridge.letters", "around_letters", "letter_paths")
 
 COINCIDENT = 1e-6  # of the size: single precision keeps no less
 GENTLE = np.radians(15)  # of a chord of an outline, in which a corner of more than 20 degrees is an edge
@@ -64,6 +67,8 @@ def contour(ob, depsgraph=None, scaled=True):
 def outline(ob, depsgraph=None, scaled=True):
     """The outline of a curve or text object: its splines in its own xy plane, each closed by a straight line.
 
+    The letters of a text, and their parts, may overlap, as they do in many fonts: it is the outline around all of them.
+
     Parameters
     ----------
     ob : bpy.types.Object
@@ -71,9 +76,10 @@ def outline(ob, depsgraph=None, scaled=True):
     scaled : bool
         Whether it is scaled as the object is.
     """
-    loops = as_shown(ob, depsgraph, spline_loops)
-    require(loops, "must be a curve or text with an outline", ob.name)
-    return Outline([loop * (ob.scale[:2] if scaled else 1.0) for loop in loops])
+    around = around_letters if ob.type == "FONT" else Outline
+    found = as_shown(ob, depsgraph, letter_paths if ob.type == "FONT" else spline_loops)
+    require(found, "must be a curve or text with an outline", ob.name)
+    return around([part * (ob.scale[:2] if scaled else 1.0) for part in found])
 
 
 def as_shown(ob, depsgraph, read):
@@ -159,10 +165,9 @@ def polyline(spline, points, closed):
 
 def bezier(spline, closed):
     """A Bezier spline without segments that have no length."""
-    knots, left, right = (coordinates(spline.bezier_points, name) for name in ("co", "handle_left", "handle_right"))
-    segments = np.stack((knots, right, np.roll(left, -1, axis=0), np.roll(knots, -1, axis=0)), axis=1)
+    segments = closed_cubics(spline)
+    size = np.ptp(segments[:, 0], axis=0).max(initial=0.0)
     segments = segments if closed else segments[:-1]
-    size = np.ptp(knots, axis=0).max(initial=0.0)
     moving = np.ptp(segments, axis=1).max(axis=1, initial=0.0) > COINCIDENT * size
     segments = segments[moving]
     if not len(segments):
@@ -170,6 +175,12 @@ def bezier(spline, closed):
     chain = segments[:, :3].reshape(-1, 3)
     own = carried(spline, spline.bezier_points, moving if closed else np.append(moving, True))
     return Bezier(chain if closed else np.concatenate((chain, segments[-1:, 3])), closed, **own)
+
+
+def closed_cubics(spline):
+    """The segments of a Bezier spline, the last of which leads back to the first point: (n, 4, 3)."""
+    knots, left, right = (coordinates(spline.bezier_points, name) for name in ("co", "handle_left", "handle_right"))
+    return np.stack((knots, right, np.roll(left, -1, axis=0), np.roll(knots, -1, axis=0)), axis=1)
 
 
 def is_nurbs(spline, closed):

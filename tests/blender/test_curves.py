@@ -221,6 +221,18 @@ def test_outline_of_a_text_is_what_blender_fills(scene):
     assert curves.outline(ob).section().area == pytest.approx(area, rel=5e-3)
 
 
+@pytest.mark.parametrize("letters", ["Q", "\N{EURO SIGN}", "II"])
+def test_letters_that_overlap_or_turn_back_on_themselves_are_an_outline_around_them(scene, letters):
+    """In Blender's own font the Q has a spike without width, the euro two bars across its bow."""
+    ob = text(letters)
+    ob.data.space_character = 0.35  # the last two run into each other
+    section = curves.outline(ob).section()
+    assert len(section.offsets) - 1 == {"Q": 2, "\N{EURO SIGN}": 1, "II": 1}[letters]
+    bounds = np.array(ob.bound_box)[:, :2]
+    assert section.points.min(axis=0) == pytest.approx(bounds.min(axis=0), abs=1e-3)
+    assert section.points.max(axis=0) == pytest.approx(bounds.max(axis=0), abs=1e-3)
+
+
 def test_curve_of_a_trajectory_is_that_trajectory(scene):
     """There and back: Blender's points stay within a thousandth of the length of where the trajectory is."""
     corner = trajectories.Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
