@@ -6,7 +6,7 @@ from bpy.types import Operator
 
 from ..sweep_addon.core.later import later
 
-objects = later("bridge.objects")
+objects, let_stand = later("bridge.objects"), later("bridge.standing", "let_stand")
 
 
 class OBJECT_OT_sweep_apply(Operator):
@@ -24,8 +24,10 @@ class OBJECT_OT_sweep_apply(Operator):
         return False
 
     def execute(self, context):
-        for ob in filter(objects.is_editable_sweep, chosen(context)):
-            objects.forget(ob.data)
+        meshes = {ob.data for ob in filter(objects.is_editable_sweep, chosen(context))}
+        let_stand(meshes)
+        for mesh in meshes:
+            objects.forget(mesh)
         return {"FINISHED"}
 
 

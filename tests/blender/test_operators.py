@@ -11,7 +11,7 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 import bmesh
 from mathutils import Vector
-from scenes import curve, extent, parameters_of, places, select, square, straight, sweep, text, tried
+from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text, tried
 
 import sweep_addon as sw
 from sweep_addon import presets
@@ -232,6 +232,30 @@ def test_applied_sweeps_are_plain_meshes_and_others_are_not_touched(scene):
     bpy.context.view_layer.update()
     assert np.array_equal(places(first.data), before) and first.data.sweep.error == ""
     assert path.users == 1  # an applied mesh uses it no more: deleting it is for good
+
+
+def test_what_carried_an_applied_sweep_may_be_deleted_and_nothing_jumps(scene):
+    """It goes on with what carried the curve; a curve that moves by itself keeps it."""
+    rig, path, moving = add("rig", None), straight(), straight()
+    rig.location, path.location, path.parent = (5, 0, 0), (0, 2, 0), rig
+    moving.keyframe_insert("location", frame=1)
+    swept = []
+    for carrier in (path, moving):
+        select(carrier)
+        bpy.ops.object.sweep_selected()
+        swept.append(bpy.context.active_object)
+    twin = bpy.data.objects.new("twin", swept[0].data)
+    scene.collection.objects.link(twin)
+    twin.parent = path
+    select(*swept)
+    assert bpy.ops.object.sweep_apply() == {"FINISHED"}
+    assert [ob.parent for ob in (*swept, twin)] == [rig, moving, rig]
+
+    bpy.data.objects.remove(path)
+    rig.location.z = 1
+    bpy.context.view_layer.update()
+    for ob in (swept[0], twin):
+        assert tuple(ob.matrix_world.translation) == pytest.approx((5, 2, 1))
 
 
 def copied(ob, form):
