@@ -97,13 +97,20 @@ class JobError(ShapeError):
     """
 
     def __init__(self, error, path, text=None):
-        lines = {refusal: line_told(refusal, text) for refusal in error.each()[:MOST]}
+        every = [part for refusal in error.each() for part in parted(refusal)]
+        lines = {refusal: line_told(refusal, text) for refusal in every[:MOST]}
         first, *others = sorted(lines, key=lambda refusal: lines[refusal] or 0)
         super().__init__(first.sentence, first.key)
         self.path, self.line, self.others, self.__cause__ = path, lines[first], tuple(others), first.__cause__
         sentences = [placed(path, lines[refusal], refusal) for refusal in (first, *others)]
-        more = len(error.each()) - len(lines)
+        more = len(every) - len(lines)
         self.args = ("\n".join(sentences + [f"{path}: and {more} more mistakes"] * (more > 0)),)
+
+
+def parted(refusal):
+    """A refusal, or of a grammar one for each of its problems."""
+    problems = getattr(refusal, "problems", ())
+    return [ShapeError(str(problem), refusal.key) for problem in problems] or [refusal]
 
 
 def line_told(refusal, text):

@@ -253,6 +253,17 @@ def test_a_mistake_in_a_grammar_is_told_with_the_line_of_the_job_and_its_own(tmp
         jobs.read(tmp_path / "koch.toml")
 
 
+def test_each_mistake_in_a_grammar_is_told_with_the_line_of_the_job(tmp_path):
+    (tmp_path / "two.toml").write_text("kind = \"plant\"\nsystem = '''\naxiom: F[\nF -> F(x*r)\n'''\n")
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(tmp_path / "two.toml")
+    beginnings = [line for line in str(refusal.value).split("\n") if "expected" in line]
+    places = ["line 1, column 9", "line 2, column 8"]
+    assert [line.partition(": expected")[0] for line in beginnings] == [
+        f"{tmp_path / 'two.toml'}:2: system: {place}" for place in places
+    ]
+
+
 def test_a_mistake_in_the_file_of_a_grammar_is_told_with_its_name(tmp_path):
     (tmp_path / "bad.l").write_text("axiom: F\nF -> [\n")
     (tmp_path / "koch.toml").write_text('kind = "plant"\nsystem = { file = "bad.l" }\n')
