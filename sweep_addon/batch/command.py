@@ -7,9 +7,11 @@ failed, or with 2 where what it was told is wrong.
 """
 
 import argparse
+import re
 import sys
 
-from ..core.declared.parameters import ShapeError
+from ..core.declared.hints import meant
+from ..core.declared.parameters import ShapeError, shown
 from ..core.version import version
 from . import grammar, verbs
 from .export import MODELS, PICTURES, silent
@@ -21,7 +23,17 @@ class Parser(argparse.ArgumentParser):
     """An argument parser whose refusal is one sentence."""
 
     def error(self, message):
-        self.exit(REFUSED, f"{self.prog}: {message}; see {self.prog} --help\n")
+        chosen = re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message)
+        near = meant(re.findall(r"[\w-]+", chosen[2]), chosen[1]) if chosen else ""
+        self.exit(REFUSED, f"{self.prog}: {message}{near}; see {self.prog} --help\n")
+
+
+def whole(text):
+    """The whole number that a text is."""
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"must be a whole number, got {shown(text)}") from None
 
 
 def parser():
@@ -41,10 +53,10 @@ def parser():
         verb.add_argument("--format", choices=[suffix[1:] for suffix in suffixes], default=list(suffixes)[0][1:],
                           help="of the files in DIR (%(default)s)")  # fmt: skip
         verb.add_argument("--again", action="store_true", help="write also what is already finished in DIR")
-        verb.add_argument("--parallel", metavar="N", type=int, default=1, help="processes at a time (%(default)s)")
+        verb.add_argument("--parallel", metavar="N", type=whole, default=1, help="processes at a time (%(default)s)")
         verb.set_defaults(act=act)
     render.add_argument("--progress", action="store_true", help="say how far it is also where that is no terminal")
-    render.add_argument("--frame", metavar="N", type=int, default=0, help="only this picture of a turn, from 1")
+    render.add_argument("--frame", metavar="N", type=whole, default=0, help="only this picture of a turn, from 1")
 
     check = commands.add_parser("check", help="say whether jobs are right", description=verbs.check.__doc__)
     check.add_argument("jobs", metavar="JOB", nargs="+", help="a job file (.toml)")
@@ -52,8 +64,8 @@ def parser():
 
     derive = commands.add_parser("derive", help="print the word of a grammar", description=grammar.derive.__doc__)
     derive.add_argument("grammar", metavar="FILE", help="a text with an axiom and productions; - for standard input")
-    derive.add_argument("-n", "--generations", metavar="N", type=int, help="how many steps, else as many as it says")
-    derive.add_argument("--seed", metavar="S", type=int, help="of its random numbers, else as it says")
+    derive.add_argument("-n", "--generations", metavar="N", type=whole, help="how many steps, else as many as it says")
+    derive.add_argument("--seed", metavar="S", type=whole, help="of its random numbers, else as it says")
     derive.add_argument("--count", action="store_true", help="only the number of modules of each generation")
     derive.set_defaults(act=grammar.derive)
 
@@ -94,7 +106,11 @@ def main(arguments):
     except verbs.CommandError as failure:
         sys.stderr.write(f"{failure}\n")
         return FAILED
-    except (OSError, RuntimeError, MemoryError) as error:  # a full disk, an exporter that gave up
+    except OSError as error:  # a full disk
+        where = f"{error.filename}: " if error.filename else ""
+        sys.stderr.write(f"{where}{error.strerror or error}\n")
+        return FAILED
+    except (RuntimeError, MemoryError) as error:  # an exporter that gave up
         said = str(error).strip().splitlines() or [type(error).__name__]
         sys.stderr.write(f"{said[-1]}\n")
         return FAILED

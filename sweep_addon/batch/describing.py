@@ -43,7 +43,7 @@ def named(name):
     found = [kind for kind in kinds if spelled(kind) == name]
     if not found and name != STANDARD_INPUT and not Path(name).exists():
         raise ShapeError(f"must be a name that `describe` alone lists, or the file of a grammar, got {shown(name)}"
-                         f"{meant(map(spelled, kinds), name)}", "SHAPE")  # fmt: skip
+                         f"{meant([spelled(kind) for kind in kinds], name)}", "SHAPE")  # fmt: skip
     return found
 
 

@@ -5,6 +5,7 @@
 import sys
 from pathlib import Path
 
+from ..core.declared.documents import contained, limited
 from ..core.declared.parameters import ShapeError
 from .job import decoded
 
@@ -22,31 +23,30 @@ def read(path):
     """
     from ..core.grammars import GrammarError, LSystem
 
+    source, path = path, "standard input" if path == STANDARD_INPUT else path
     try:
-        path, data = received(path)
+        text = decoded(received(source))
+        if text is None:
+            raise ShapeError("must be text in UTF-8")
     except OSError as error:
         raise ShapeError(f"{path}: cannot be read: {error.strerror}") from None
-    text = decoded(data)
-    if text is None:
-        wrong = f"must have at most {LONGEST:,} bytes" if data is None else "must be text in UTF-8"
-        raise ShapeError(f"{path}: {wrong}")
+    except ShapeError as refusal:
+        raise ShapeError(f"{path}: {refusal}") from None
     try:
         return LSystem.parse(text)
     except GrammarError as refusal:
+        if Path(path).suffix == ".toml":
+            raise ShapeError(
+                f"{path}: must be a grammar, got a job, which `check`, `build` and `render` take"
+            ) from None
         raise ShapeError("\n".join(placed(path, problem) for problem in refusal.problems)) from None
     except ShapeError as refusal:
         raise ShapeError(f"{path}: {refusal}") from None
 
 
 def received(path):
-    """The name of a file and its bytes, or None where these are too many."""
-    if path == STANDARD_INPUT:
-        data = sys.stdin.buffer.read(LONGEST + 1)
-        return "standard input", data if len(data) <= LONGEST else None
-    path = Path(path)
-    if path.is_dir():
-        raise ShapeError(f"{path}: must be a file, got a folder")
-    return path, path.read_bytes() if path.stat().st_size <= LONGEST else None
+    """The bytes of a file, or of standard input."""
+    return limited(sys.stdin.buffer, LONGEST) if path == STANDARD_INPUT else contained(Path(path), LONGEST)
 
 
 def placed(path, problem):

@@ -3,6 +3,7 @@
 """Lines: where in a TOML text a key is set, so that a refusal can point at it."""
 
 import re
+from itertools import takewhile
 
 KEY = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 KEYS = rf"{KEY}(?:[ \t]*\.[ \t]*{KEY})*"
@@ -23,8 +24,8 @@ def line_of(text, key):
     >>> line_of("[[steps]]\\n[[steps]]\\n[steps.operand]\\nradius = 2", "steps.2.operand.radius")
     4
     """
-    wanted = key.split(".")
-    header, depth, best, length, counts = [], 0, 1, 0, {}
+    wanted = [re.sub(r"[^\w-]", "_", part.strip("\"'")) for part in key.split(".")]  # as in a text that is blanked
+    header, depth, best, length, counts = [], 0, 1, (0, 0), {}
     for number, line in enumerate(TEXTS.sub(blank, text).split("\n"), 1):
         found, path = None, header
         if depth == 0:
@@ -32,8 +33,10 @@ def line_of(text, key):
             if found:
                 path = opened(found, counts) if found.re is HEADER else header + names(found[1])
                 header = path if found.re is HEADER else header
-        if found and len(path) > length and path == wanted[: len(path)]:
-            best, length = number, len(path)
+        if found:
+            shared = sum(1 for _ in takewhile(lambda parts: parts[0] == parts[1], zip(path, wanted, strict=False)))
+            if shared and (shared, shared - len(path)) > length:  # as much of the key as there is, and little else
+                best, length = number, (shared, shared - len(path))
         depth += sum(map(line.count, "[{")) - sum(map(line.count, "]}"))
     return best
 

@@ -106,11 +106,11 @@ def resolved(p, value, folder, files):
 def grammar(reference, folder):
     """The text of a grammar in a file, and the file."""
     told = filled(GrammarFile, parameters(GrammarFile), reference)
-    path = existing(folder / told.file, "file")
+    path = existing(folder, told.file, "file")
     try:
         text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
-        raise ShapeError("must be text in UTF-8", "file") from None
+        raise ShapeError(f"must be text in UTF-8, got {shown(told.file)}", "file") from None
     try:
         growing.read(Grammar(text))  # which keeps it for the plant
     except ShapeError as refusal:
@@ -155,10 +155,10 @@ def read(reference, p, folder):
     if isinstance(reference, Text):
         require(is_contour, "stands for a contour only", reference.text, "text")
         require(reference.font, "must be a .ttf or .otf file", reference.font, "font")
-        path = existing(folder / reference.font, "font")
-        with keyed("text"):
+        path = existing(folder, reference.font, "font")
+        with keyed("font"):
             return contours.from_text(reference.text, path, size=reference.size), path
-    path = existing(folder / reference.file, "file")
+    path = existing(folder, reference.file, "file")
     if "MESH" in p.accepts and path.suffix.lower() == ".blend":
         return generator(reference, path, p.accepts), path
     found = (outline if is_contour else trajectory)(reference, path)
@@ -225,7 +225,10 @@ def keyed(key):
         raise ShapeError(refusal.sentence, refusal.key or key) from refusal.__cause__
 
 
-def existing(path, key):
+def existing(folder, name, key):
+    """The path of a file that there is, relative to a folder."""
+    require(name, "must name a file", name, key)
+    path = folder / name
     require(not path.is_dir(), "must be a file, not a folder", str(path), key)
     require(path.is_file(), "must be a file that exists", str(path), key)
     require(path.stat().st_size <= LARGEST_FILE, f"must have at most {LARGEST_FILE:,} bytes", path.stat().st_size, key)

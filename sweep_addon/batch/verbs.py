@@ -127,6 +127,7 @@ def run_many(verb, told, frame=0):
             sys.stderr.write(f"{refusal}\n")
             refused = max(refused, code_of(refusal))
     folder = Path(told.output_dir).absolute()
+    require(folder.is_dir() or not folder.exists(), "must be a folder", told.output_dir, "output-dir")
     tasks = plan(verb, understood, folder, f".{told.format}", version(), frame)
     folder.mkdir(parents=True, exist_ok=True)
     code = refused

@@ -147,6 +147,9 @@ def test_describe_tells_of_all_kinds_of_a_name(capsys):
         (): "sweep: the following arguments are required: VERB",
         ("squeeze",): "sweep: argument VERB: invalid choice: 'squeeze'",
         ("build", "a.toml"): "sweep build: one of the arguments -o/--output -d/--output-dir is required",
+        ("chekc", "a.toml"): "sweep: argument VERB: invalid choice: 'chekc' (choose from ",
+        ("derive", "a.l", "-n", "x"): "sweep derive: argument -n/--generations: must be a whole number, got 'x'; see ",
+        ("derive", "docs/demo.toml"): "docs/demo.toml: must be a grammar, got a job, which `check`, ",
         ("check",): "sweep check: the following arguments are required: JOB",
         ("check", "no.toml"): "no.toml: must be a job file that exists",
         ("describe", "nothing"): "SHAPE: must be a name that `describe` alone lists, or the file of a grammar, got 'no",
@@ -155,10 +158,16 @@ def test_describe_tells_of_all_kinds_of_a_name(capsys):
         ("check", "."): ".: must be a job file, got a folder",
     }.items(),
 )
-def test_bad_input_is_one_sentence_and_exit_code_2(arguments, sentence, capsys):
+def test_bad_input_is_one_sentence_and_exit_code_2(arguments, sentence, capsys, monkeypatch):
+    monkeypatch.chdir(CHECKOUT)
     assert main(list(arguments)) == 2
     told = capsys.readouterr()
     assert told.err.startswith(sentence) and told.err.count("\n") == 1 and not told.out
+
+
+def test_a_verb_with_a_slip_is_told_the_one_that_was_meant(capsys):
+    assert main(["chekc", "a.toml"]) == 2
+    assert capsys.readouterr().err.endswith(": did you mean 'check'?; see sweep --help\n")
 
 
 @pytest.mark.skipif(importlib.util.find_spec("bpy") is not None, reason="this host has Blender")
@@ -382,6 +391,11 @@ def test_a_wrong_output_is_refused_before_anything_is_done(scene, job, arguments
     told = capsys.readouterr()
     assert told.err.startswith(sentence) and told.err.count("\n") == 1
     assert sorted(path.name for path in job.parent.iterdir()) == ["tube.toml"]
+
+
+def test_a_file_in_the_place_of_the_folder_is_refused(scene, job, capsys):
+    assert main(["build", str(job), "--output-dir", str(job)]) == 2
+    assert re.fullmatch("output-dir: must be a folder, got '.*\n", capsys.readouterr().err)
 
 
 def test_a_folder_that_is_missing_is_made(scene, job):

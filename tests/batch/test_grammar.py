@@ -4,6 +4,7 @@
 
 import io
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -114,3 +115,10 @@ def test_a_runaway_grammar_is_refused_with_its_size(tmp_path, capsys):
     code, out, err = told(capsys, "derive", str(path), "-n", "12")
     assert (code, out) == (2, "")
     assert err == "generations: must make at most 20,000,000 modules, but 12 make 1,000,000,000,000\n"
+
+
+def test_a_device_without_end_is_no_grammar(capsys):
+    if not Path("/dev/zero").exists():
+        pytest.skip("needs /dev/zero, which this system has not")
+    for verb in ("derive", "describe"):
+        assert told(capsys, verb, "/dev/zero") == (2, "", "/dev/zero: must have at most 4,000,000 bytes\n")

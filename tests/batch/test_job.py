@@ -61,6 +61,9 @@ def written(folder, text, name="job.toml"):
             ":2: system.fiel: is no parameter of GrammarFile, which has file: did you mean 'file'?"
         ),
         START + "[render]\nkind = 'png'": ":4: render.kind: is no parameter of Render, which has engine, ",
+        "kind = 'rotational-sweep'\naxis = 1": ":2: axis: is no parameter of RotationalSweep, which has ",
+        START + "[[contour]]\nkind = 'circle'": ":3: contour: must be one of circle, ",
+        START + "contour = {file = ''}": ":3: contour.file: must name a file, got ''",
         START + "contour = {file = '.'}": ":3: contour.file: must be a file, not a folder, got ",
         "a = 1\nb = ": ":2: must be TOML: after = stands a number, ",
         b"a = '\xff'": ":1: must be UTF-8, got the byte 0xff",
@@ -206,7 +209,7 @@ def test_a_measured_path_that_is_none_is_refused_with_its_line(tmp_path):
 @pytest.mark.skipif(importlib.util.find_spec("fontTools") is None, reason="needs the library fonttools")
 def test_a_text_that_cannot_be_drawn_is_refused(tmp_path):
     written(tmp_path, b"no font", "a.ttf")
-    for text, key in ((" ", "text"), ("B", "text: the font "), ("B', size = 0, note = '", "note")):
+    for text, key in ((" ", "text"), ("B", "font: the font "), ("B', size = 0, note = '", "note")):
         with pytest.raises(jobs.JobError) as refusal:
             jobs.read(written(tmp_path, START + f"contour = {{text = '{text}', font = 'a.ttf'}}"))
         assert str(refusal.value).startswith(f"{tmp_path / 'job.toml'}:3: contour.{key}")

@@ -27,6 +27,11 @@ radius = 2
 
 [ contour . "inner" ]
 radius = 3
+
+["a b"]
+
+[[parts]]
+x = 1
 '''
 
 
@@ -40,7 +45,9 @@ radius = 3
         "samples": 11,
         "samples.contours": 11,
         "frame.kind": 12,
-        "frame.up": 1,  # no line sets the frame itself
+        "frame.up": 12,  # no line sets the frame itself, this one something in it
+        "'a b'": 21,
+        "parts": 23,  # a list where a table was meant
         "contour": 14,
         "contour.kind": 15,
         "contour.radius": 16,

@@ -105,7 +105,7 @@ def test_without_centring_text_begins_on_its_baseline():
         ("A\u4e00", FONT, f"the font {FONT} must have a glyph for every character of the text, got none for"),
         ("A", "no/such.ttf", "the font no/such.ttf cannot be read: No such file or directory"),
         ("A", __file__, f"the font {__file__} must be a TrueType or OpenType file"),
-        ("A", None, "the font None must be given by the path of its file"),
+        ("A", None, "font_path: must be the path of a font's file, got None"),
     ],
     ids=range(8),
 )

@@ -90,6 +90,7 @@ START = 'kind = "generalized-cylinder"\n'
         ),
         "\nx": "line 2: must be TOML: a line is key = value, [table] or a comment after #, got 'x'",
         "": "kind: must be given, as one of ",
+        "version = 1.5": "version: must be a whole number, at least 1, got 1.5",
         "version = 2": "version: must be at most 1, the newest that this program reads, got 2",
         "version = true": "version: must be a whole number, at least 1, got True",
         "version = -1": "version: must be a whole number, at least 1, got -1",

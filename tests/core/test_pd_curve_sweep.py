@@ -406,5 +406,5 @@ def test_frames_are_the_axes_of_the_mesh():
     frames = shape.frames(9)
     assert frames.contours[0] == pytest.approx(columns(shape.mesh()).swapaxes(0, 1), abs=1e-14)
     assert np.abs(dot(frames.e1, frames.e2)).max() < 1e-15
-    with pytest.raises(ShapeError, match="most: must be at least 2"):
+    with pytest.raises(ShapeError, match="most: must be a whole number, at least 2"):
         shape.frames(1)

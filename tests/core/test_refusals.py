@@ -2,18 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A refusal shows what it got on one line, whatever that was."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sweep_addon.core.contours import Circle
+from sweep_addon.core.contours import Circle, from_dxf, from_svg, offset
+from sweep_addon.core.csg import Tree
 from sweep_addon.core.declared.parameters import ShapeError, shown
 from sweep_addon.core.envelopes.reach import reach
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.plant import Plant
 from sweep_addon.core.stations.frames import Frenet
 from sweep_addon.core.stations.sampling import Tolerance
-from sweep_addon.core.trajectories import Line, Polyline, from_gpx
+from sweep_addon.core.trajectories import Line, Polyline, from_csv, from_gpx
 
 
 def nested(depth):
@@ -75,7 +79,22 @@ HUGE = GeneralizedCylinder(Circle(1e10), Line(end=(0, 0, 1e10)), Tolerance(1e-9)
             GeneralizedCylinder(trajectory=PATH).mesh,
             "trajectory.radii: must not stay 0 along a stretch, got 0 at contour 2",
         ),
-        (lambda: GeneralizedCylinder().frames(1), "most: must be at least 2, got 1"),
+        (lambda: GeneralizedCylinder().frames("x"), "most: must be a whole number, at least 2, got 'x'"),
+        (
+            lambda: offset(Line(), 1.0),
+            "contour: must be a contour, got Line(start=(0.0, 0.0, 0.0), end=(0.0, 0.0, 1.0))",
+        ),
+        (lambda: reach([]), "trajectory: must be a trajectory, got []"),
+        (lambda: Line(np.array("x")), "start: must be a list, got array('x', dtype='<U1')"),
+        (lambda: Plant(upright=[]), "upright: must be one of automatic, upwards, along-x, got []"),
+        (lambda: Plant(seed="x"), "seed: must be a whole number, got 'x'"),
+        (
+            lambda: Plant("#define ratio 2\naxiom: F", constants={"ratoi": 1, "q": 2}),
+            "constants.ratoi: is no constant of the text, which has ratio: did you mean 'ratio'?",
+        ),
+        (lambda: Tree("blok"), "base: must be a shape, a solid or a tree, got 'blok': did you mean 'block'?"),
+        (lambda: Tree("cube"), "base: must be a shape, a solid or a tree, got 'cube': say 'block'"),
+        (lambda: GeneralizedCylinder().frames(1), "most: must be a whole number, at least 2, got 1"),
         (lambda: reach(Circle()), "trajectory: must be a trajectory, got Circle(radius=1.0, points=64)"),
     ],
 )
@@ -97,3 +116,12 @@ def test_an_origin_in_text_is_the_numbers_it_says():
 )
 def test_any_value_is_shown_on_one_short_line(value):
     assert len(shown(value)) <= 60 and len(shown(value).splitlines()) == 1
+
+
+@pytest.mark.parametrize("read", [from_svg, from_dxf, from_gpx, from_csv])
+def test_a_folder_and_a_device_without_end_are_no_documents(read, tmp_path):
+    with pytest.raises(ShapeError, match="^the [A-Z]+ file .* must be a file, got a folder$"):
+        read(tmp_path)
+    if Path("/dev/zero").exists():
+        with pytest.raises(ShapeError, match="^the [A-Z]+ file /dev/zero must have at most [0-9,]+ bytes$"):
+            read("/dev/zero")

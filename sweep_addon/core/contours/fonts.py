@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from ..declared.documents import about
+from ..declared.documents import about, contained
 from ..declared.parameters import ShapeError, require
 from .flatten import cubics_from_lines, cubics_from_quadratics
 from .reading import argument, library, outline
 
 LONGEST = 10_000
+LARGEST = 50_000_000  # bytes of a font
 
 
 def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
@@ -52,6 +53,7 @@ def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
     text, size = argument("text", text, str), argument("size", size, above=0.0)
     require(text.strip(), "must have a visible character", text, "text")
     require(len(text) <= LONGEST, f"must have at most {LONGEST} characters", len(text), "text")
+    require(isinstance(font_path, (str, Path)), "must be the path of a font's file", font_path, "font_path")
     with about(f"the font {font_path}"):
         paths = placed_glyphs(text, opened(font_path))
         require(paths, "must draw something for the text", text)
@@ -62,11 +64,11 @@ def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
 def opened(font_path):
     """The first font of a file."""
     ttlib = library("fontTools.ttLib", "fonttools")
-    require(isinstance(font_path, (str, Path)), "must be given by the path of its file", font_path)
-    if Path(font_path).is_dir():
-        raise ShapeError("must be a file, got a folder")
     try:
-        return ttlib.TTFont(BytesIO(Path(font_path).read_bytes()), fontNumber=0, lazy=True)  # no file stays open
+        data = contained(Path(font_path), LARGEST)
+        return ttlib.TTFont(BytesIO(data), fontNumber=0, lazy=True)  # no file stays open
+    except ShapeError:
+        raise
     except (OSError, ValueError) as error:
         raise ShapeError(f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
     except (ttlib.TTLibError, ImportError, AssertionError) as error:

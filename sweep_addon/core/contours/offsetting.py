@@ -62,6 +62,7 @@ def offset(contour, distance, both=False):
     """
     distance = argument("distance", distance)
     require(distance, "must not be 0", distance, "distance")
+    require(hasattr(contour, "section"), "must be a contour", contour, "contour")
     require(contour.section().closed, "must be closed", "an open one", "contour")
     found = boundary(contour, (abs(distance), -abs(distance)) if both else (distance,))
     require(found, "must leave something inside", distance, "distance")

@@ -42,16 +42,28 @@ def content(text_or_path, kind, mark, largest):
     require(is_path, f"must be {kind} text or a path", text_or_path, kind.lower())
     subject = f"the {kind} file {text_or_path}"
     try:
-        path = Path(text_or_path)
-        if path.is_dir():
-            raise ShapeError(f"{subject} must be a file, got a folder")
-        size = path.stat().st_size
-        require(size <= largest, f"{subject} must have at most {largest} bytes", size)
-        return path.read_bytes(), subject
+        with about(subject):
+            return contained(Path(text_or_path), largest), subject
     except (OSError, ValueError) as error:
         if isinstance(error, ShapeError):
             raise
         raise ShapeError(f"{subject} cannot be read: {getattr(error, 'strerror', None) or error}") from error
+
+
+def contained(path, largest):
+    """The bytes of a file, or a refusal: of a folder, and of too many bytes, as a device has without end."""
+    if path.is_dir():
+        raise ShapeError("must be a file, got a folder")
+    with path.open("rb") as file:
+        return limited(file, largest)
+
+
+def limited(file, largest):
+    """The bytes of an open file, or a refusal of more than so many."""
+    data = file.read(largest + 1)
+    if len(data) > largest:
+        raise ShapeError(f"must have at most {largest:,} bytes")
+    return data
 
 
 def parsed(data):

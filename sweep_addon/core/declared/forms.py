@@ -76,10 +76,10 @@ def shape_of(shapes, table):
     """The shape that a table describes, one of the kinds of `shapes`; tables of older versions are migrated."""
     table = dict(table)
     version = table.pop("version", 1)
-    numbered = isinstance(version, int) and not isinstance(version, bool) and version >= 1
+    numbered = isinstance(version, (int, float)) and not isinstance(version, bool) and version >= 1 and version % 1 == 0
     require(numbered, "must be a whole number, at least 1", version, "version")
     require(version <= VERSION, f"must be at most {VERSION}, the newest that this program reads", version, "version")
-    for migrate in MIGRATIONS[version - 1 :]:
+    for migrate in MIGRATIONS[int(version) - 1 :]:
         table = migrate(table)
     return from_table({spelled(shape): shape for shape in shapes}, table, parameters)
 

@@ -11,6 +11,7 @@ from .refusals import ShapeError
 from .wording import named, spelled
 
 MANY = 40  # names that a refusal tells
+MOST_LONGER = 3  # names that a refusal tells of those that somebody may have meant
 LONGEST = 40  # characters of what may be a name with a slip in it
 FIGURES = {  # by the names that people have for them: the kind, and what it is told
     "triangle": ("regular-polygon", "sides = 3"),
@@ -19,6 +20,9 @@ FIGURES = {  # by the names that people have for them: the kind, and what it is 
     "hexagon": ("regular-polygon", "sides = 6"),
     "octagon": ("regular-polygon", "sides = 8"),
     "circle": ("arc", "angle = 6.283185307179586"),
+    "sphere": ("ball", ""),
+    "cube": ("block", ""),
+    "box": ("block", ""),
     "trefoil": ("torus-knot", "p = 2, q = 3"),
 }
 
@@ -47,8 +51,10 @@ def hint(names, value):
     if isinstance(value, str):
         kind, told = FIGURES.get(value.lower(), ("", ""))
         if kind in names:
-            return f': say {{ kind = "{kind}", {told} }}'
+            return f': say {{ kind = "{kind}", {told} }}' if told else f": say '{kind}'"
         return meant(names, value)
+    if isinstance(value, list) and value and isinstance(value[0], dict):
+        return ": a table that is no item of a list stands in single brackets, as [contour]"
     if isinstance(value, (list, tuple, np.ndarray, Array)):
         return of_a_list(names)
     if isinstance(value, type) and value in names.values():
@@ -65,9 +71,15 @@ def meant(names, name):
 
     >>> meant(["radius", "points"], "raduis"), meant(["radius", "points"], "twist")
     (": did you mean 'radius'?", '')
+    >>> meant(["axis_point", "axis_direction", "angle"], "axis")
+    ": did you mean 'axis_point' or 'axis_direction'?"
     """
-    near = get_close_matches(name.lower(), names, 1) if isinstance(name, str) and len(name) <= LONGEST else ()
-    return f": did you mean '{near[0]}'?" if near else ""
+    if not isinstance(name, str) or len(name) > LONGEST:
+        return ""
+    longer = [other for other in names if name.lower() in other.split("_")]  # axis: axis_point, axis_direction
+    near = map(repr, get_close_matches(name.lower(), names, 1) or longer[:MOST_LONGER])
+    told = " or ".join(near)
+    return f": did you mean {told}?" if told else ""
 
 
 def has_none(owner, name, names):

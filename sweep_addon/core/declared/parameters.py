@@ -214,7 +214,7 @@ def coerce(p, value):
         return coerce_items(p, value)
     if get_origin(p.type) is tuple:
         first, *rest = get_args(p.type)
-        require(isinstance(value, (list, tuple, np.ndarray)), "must be a list", value)
+        require(isinstance(value, (list, tuple)) or getattr(value, "ndim", 0), "must be a list", value)
         require(rest == [...] or len(value) == 1 + len(rest), f"must be a list of {1 + len(rest)}", value)
         require_few(p, sum(max(1, rows(item)) for item in value))
         part = altered(p, type=first)
@@ -228,7 +228,7 @@ def coerce(p, value):
 def coerce_option(p, value):
     """A member of an Enum from itself, from its name, or from what the Enum takes for it."""
     if not isinstance(value, str):
-        with suppress(ValueError):
+        with suppress(ValueError, TypeError):  # TypeError: a list, of which no Enum can ask whether it is one of some
             return p.type(value)
     return pick({spelled(member): member for member in p.type}, value)
 
@@ -243,7 +243,7 @@ def coerce_number(p, value):
 
 def refuse_number(p, value, number):
     """Say which limit a number is beyond, or that it is none."""
-    require(number, f"must be {MEASURES[p.unit]}", value)
+    require(number, "must be a whole number" if p.type is int else f"must be {MEASURES[p.unit]}", value)
     require(abs(value) <= LARGEST, f"must be at most {LARGEST:g} in size", value)
     require(p.type is float or value % 1 == 0, "must be a whole number", value)
     require(value > p.above, f"must be more than {p.above:g}", value)

@@ -44,7 +44,6 @@ class Reach:
     parameters: tuple = ()
 
 
-@lru_cache(maxsize=32)
 def reach(trajectory):
     """The reach of a smooth trajectory.
 
@@ -75,6 +74,12 @@ def reach(trajectory):
     0.8
     """
     require(isinstance(trajectory, Trajectory), "must be a trajectory", trajectory, "trajectory")
+    return known(trajectory)
+
+
+@lru_cache(maxsize=32)
+def known(trajectory):
+    """The reach of what is a trajectory; the last are kept."""
     corners = trajectory.corners()
     if len(corners):
         raise ShapeError(f"must be smooth, or it has no reach, got a corner at u = {corners[0]:.6g}", "trajectory")

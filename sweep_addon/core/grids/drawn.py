@@ -47,6 +47,6 @@ def require_precise(dtype):
     """Refuse vertices in anything but single or double precision: in whole numbers all would be cut off."""
     try:
         precise = np.dtype(dtype) in (np.float32, np.float64)
-    except TypeError:
+    except (TypeError, ValueError):
         precise = False
     require(precise, "must be float32 or float64", dtype, "dtype")

@@ -75,7 +75,7 @@ def rows_of_three(points):
     """Points as a (n, 3) float array, or a refusal."""
     try:
         found = np.asarray(points, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         found = np.empty(0)
     fits = found.ndim == 2 and found.shape[1] == 3
     got = list(found.shape) if found.ndim > 1 else points

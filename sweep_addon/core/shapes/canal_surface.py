@@ -9,6 +9,7 @@ import numpy as np
 from ..declared.parameters import count, declared, parameter, require
 from ..grids.texture import Texture
 from ..resolving import solid_option
+from ..stations.frames import require_several
 from ..stations.sampling import Sampling, Tolerance
 from ..trajectories import Helix, Trajectory
 from ..variation.laws import Constant, Law
@@ -197,5 +198,5 @@ class CanalSurface(Operand):
         """
         from ..envelopes.envelope import Envelope
 
-        require(most >= 2, "must be at least 2", most, "most")
+        require_several(most)
         return Envelope(self).frames(most)

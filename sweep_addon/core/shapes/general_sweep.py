@@ -8,12 +8,12 @@ import numpy as np
 
 from ..contours import Contour
 from ..contours.region import Region
-from ..declared.parameters import angle, at, count, declared, parameter, require
+from ..declared.parameters import angle, at, count, declared, parameter
 from ..grids.texture import Texture
 from ..later import later
 from ..rings.ends import Cap, Flat
 from ..solids import Bracket, Solid
-from ..stations.frames import FixedUp, Frames, Frenet, RotationMinimizing
+from ..stations.frames import FixedUp, Frames, Frenet, RotationMinimizing, require_several
 from ..stations.parallel import Parallel
 from ..stations.sampling import Sampling, Tolerance
 from ..trajectories import Arc, Trajectory
@@ -188,7 +188,7 @@ class GeneralSweep(Operand):
         >>> frames.e2.round(9)[[0, -1]].tolist(), frames.contours[0].shape
         ([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]], (5, 4, 3))
         """
-        require(most >= 2, "must be at least 2", most, "most")
+        require_several(most)
         poses = self.motion.at(np.linspace(0.0, arc_length(self.trajectory).total, most))
         e2, e3, e1 = (unit(poses.matrix[..., axis]) for axis in range(3))
         return Frames(poses.u, poses.s, poses.origin, e1, e2, e3, self.swept().outlines(poses))

@@ -14,7 +14,7 @@ from ..grids.texture import Texture
 from ..later import later
 from ..resolving import solid_option
 from ..rings.ends import End, Flat, Round, Taper
-from ..stations.frames import Frame, Frames, RotationMinimizing, axes
+from ..stations.frames import Frame, Frames, RotationMinimizing, axes, require_several
 from ..stations.sampling import Count, Sampling, Tolerance, place
 from ..trajectories import Helix, Trajectory
 from ..variation.laws import Law
@@ -306,7 +306,7 @@ class GeneralizedCylinder(Operand):
         ([0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.0, 1.0], (5, 64, 3))
         """
         (section, change), closed = replace(self, fit=Fit.INSCRIBED).moving(), self.trajectory.closed
-        require(most >= 2, "must be at least 2", most, "most")
+        require_several(most)
         along, symmetry, reach, _ = self.laid_out(
             section, change, (Flat(), Flat()) if closed else (self.start, self.end)
         )

@@ -43,7 +43,9 @@ class Operand:
         if isinstance(value, str) and value in known():
             value = {"kind": value}
         if not isinstance(value, dict):
-            raise ShapeError(f"must be a shape, a solid or a tree, got {shown(value)}")
+            from ..declared.hints import hint  # nobody needs it until something is refused
+
+            raise ShapeError(f"must be a shape, a solid or a tree, got {shown(value)}{hint(known(), value)}")
         return cls.coerced(from_table(known(), value, parameters))
 
     def require_solid(self):

@@ -16,7 +16,7 @@ from ..later import later
 from ..resolving import solid_option
 from ..rings.limits import Flat, Limit, Open, Plane
 from ..stations.directions import Cubic, Direction, Tilt
-from ..stations.frames import Frames, turn
+from ..stations.frames import Frames, require_several, turn
 from ..stations.sampling import Count, Sampling, Tolerance, place
 from ..trajectories import Bezier, Polyline, Trajectory
 from ..variation.morph import AS_THICK
@@ -304,7 +304,7 @@ class PDCurveSweep(Operand):
         >>> frames.points[:, 2].round(12).tolist(), frames.e2[0].tolist(), frames.contours[0].shape
         ([0.0, 1.0, 2.0], [1.0, 0.0, 0.0], (3, 4, 3))
         """
-        require(most >= 2, "must be at least 2", most, "most")
+        require_several(most)
         section, bending, _, _ = self.laid_out()
         steps = bending.total / float(np.linalg.norm(section.points, axis=1).max())
         stations = place(self.trajectory, Count(int(np.clip(steps + (not self.trajectory.closed), 2, most))))

@@ -16,7 +16,7 @@ from ..later import later
 from ..resolving import solid_option
 from ..rings.ends import Cap, Flat
 from ..self_intersection import PREFIX
-from ..stations.frames import Frames
+from ..stations.frames import Frames, require_several
 from ..stations.sampling import MOST_STATIONS, Count, Sampling, Tolerance
 from .operand import Operand
 
@@ -325,7 +325,7 @@ class RotationalSweep(Operand):
         >>> frames.e1[0].tolist(), frames.contours[0].shape
         ([0.0, 0.0, -1.0], (4, 5, 3))
         """
-        require(most >= 2, "must be at least 2", most, "most")
+        require_several(most)
         sections = self.sections()
         turns = self.turns(sections)
         turns = turns[np.unique(np.linspace(0, len(turns) - 1, min(most, len(turns))).round().astype(int))]

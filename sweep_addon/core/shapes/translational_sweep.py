@@ -15,7 +15,7 @@ from ..declared.wording import shown
 from ..grids.texture import Texture
 from ..later import later
 from ..rings.ends import Cap, Flat
-from ..stations.frames import Frames
+from ..stations.frames import Frames, require_several
 from .operand import Operand
 
 caps, draft, in_plane = later("core.rings.caps"), later("core.rings.draft"), later("core.grids.in_plane")
@@ -306,7 +306,7 @@ class TranslationalSweep(Operand):
         >>> frames.points.tolist(), frames.e1[0].tolist(), frames.contours[0].shape
         ([[0.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [0.0, 0.0, 1.0], (2, 4, 3))
         """
-        require(most >= 2, "must be at least 2", most, "most")
+        require_several(most)
         sections, heights, loops = self.sections(), self.heights(), []
         heights = heights[np.unique(np.linspace(0, len(heights) - 1, min(most, len(heights))).round().astype(int))]
         for section in sections:

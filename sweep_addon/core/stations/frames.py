@@ -59,6 +59,12 @@ class Frames:
     contours: tuple
 
 
+def require_several(most):
+    """Refuse what is no number of places at which frames are shown."""
+    several = isinstance(most, (int, np.integer)) and most >= 2
+    require(several, "must be a whole number, at least 2", most, "most")
+
+
 class Continuation(Enum):
     SMOOTH = "The normal keeps its side through inflections and turns evenly over straight stretches"
     EXACT = "As defined: the normal changes its side at once at an inflection"

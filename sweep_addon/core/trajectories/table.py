@@ -88,7 +88,7 @@ def chosen_columns(columns, names, width):
         else:
             require(width >= 2, "must have two or three columns of numbers", width)
             columns = range(1, 1 + min(width, 3))
-    listed = isinstance(columns, Iterable) and not isinstance(columns, str)
+    listed = isinstance(columns, Iterable) and not isinstance(columns, str) and getattr(columns, "ndim", 1)
     given = list(columns) if listed else []
     require(len(given) in (2, 3), "must be the two or three columns that are x, y and z", columns, "columns")
     chosen = []

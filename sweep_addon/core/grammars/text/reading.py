@@ -6,7 +6,9 @@ import re
 from dataclasses import fields
 from math import isfinite, nan
 
+from ...declared.hints import meant
 from ...declared.parameters import ShapeError, require
+from ...declared.refusals import MOST, together
 from ...declared.wording import named
 from ..deriving.statements import MOST_VARIABLES, assigned, statements
 from ..dialects import OTHERS, placed, translated
@@ -83,7 +85,10 @@ class Reader:
         unknown = [name for name in self.given if name not in self.constants]
         if unknown and not problems:
             known = ", ".join(self.constants) or "none"
-            raise ShapeError(f"is no constant of the text, which has {known}", f"constants.{named(unknown[0])}")
+            said = f"is no constant of the text, which has {known}"
+            raise together(
+                ShapeError(said + meant(self.constants, name), f"constants.{named(name)}") for name in unknown[:MOST]
+            )
         self.vocabulary = words(self.constants, random=False)
         self.variables = self.assigned()
         for word, passage, _ in self.lines:
