@@ -9,7 +9,7 @@ from ..sweep_addon.core.declared.parameters import ShapeError, parameters, requi
 from ..sweep_addon.core.later import later
 from .on_sweep import OnSweep
 
-beside, curves = later("bridge.beside"), later("bridge.curves")
+beside, drawn_curves = later("bridge.beside"), later("bridge.drawn_curves")
 objects = later("bridge.objects")
 
 EDITABLE = {
@@ -67,8 +67,8 @@ def contour_of(shape):
 
 
 MAKERS = {
-    "trajectory": lambda shape, name: curves.from_trajectory(shape.trajectory, name),
-    "contour": lambda shape, name: curves.from_contour(shape.contour, name),
-    "body": lambda shape, name: curves.from_contour(contour_of(shape), name),
-    "direction": lambda shape, name: curves.from_trajectory(beside.guide(shape), name),
+    "trajectory": lambda shape, name: drawn_curves.from_trajectory(shape.trajectory, name),
+    "contour": lambda shape, name: drawn_curves.from_contour(shape.contour, name),
+    "body": lambda shape, name: drawn_curves.from_contour(contour_of(shape), name),
+    "direction": lambda shape, name: drawn_curves.from_trajectory(beside.guide(shape), name),
 }

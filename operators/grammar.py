@@ -9,7 +9,7 @@ from bpy.types import Operator
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 
-axis_curves, curves = later("bridge.axis_curves"), later("bridge.curves")
+axis_curves, drawn_curves = later("bridge.axis_curves"), later("bridge.drawn_curves")
 objects, texts = later("bridge.objects"), later("bridge.texts")
 
 ABOVE = 8  # lines that stay in sight above one that is gone to
@@ -113,7 +113,7 @@ class OBJECT_OT_sweep_grammar_curves(OnGrammar, Operator):
         source = context.active_object
         try:
             plant = objects.shapes(source.data)[0]
-            data = curves.from_axes(*plant.axes(), f"{source.name} Curves")
+            data = drawn_curves.from_axes(*plant.axes(), f"{source.name} Curves")
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -18,6 +18,7 @@ from ..core.stations.pd_curve import joined
 from ..core.trajectories import Bezier, Polyline
 from ..core.trajectories.arc_length import arc_length
 from . import curves
+from .drawn_curves import through
 
 SEGMENTS = 16  # at least, of a guide that is made
 THIRDS = np.array([[1], [2], [3]]) / 3
@@ -70,7 +71,7 @@ def guide(shape):
         vectors = told.basis.segments(told.values.values)
         if len(vectors) == len(path.segments):
             return Bezier(joined(path.segments + vectors * (away / np.abs(vectors).max())))
-    total, drawn = arc_length(path).total, path if isinstance(path, (Bezier, Polyline)) else curves.through(path)
+    total, drawn = arc_length(path).total, path if isinstance(path, (Bezier, Polyline)) else through(path)
     u = np.linspace(*drawn.domain, 1 + max(SEGMENTS, 2 * len(drawn.joints())))
     h, measure = (u[1] - u[0]) / 100, arc_length(drawn)
 
@@ -96,6 +97,6 @@ def chain(path):
     if isinstance(path, Polyline):
         legs = np.concatenate((path.points.values, path.points[:1])) if path.closed else path.points.values
         return np.concatenate((legs[:1], (legs[:-1, None] + np.diff(legs, axis=0)[:, None] * THIRDS).reshape(-1, 3)))
-    chained = path if isinstance(path, Bezier) else curves.through(path)
+    chained = path if isinstance(path, Bezier) else through(path)
     points = chained.points.values
     return np.concatenate((points, points[:1])) if chained.closed else points

@@ -5,18 +5,20 @@
 A trajectory carries the radius and the tilt of the curve's points; the contour of a curve has neither.
 """
 
+from contextlib import suppress
+
 import bpy
 import numpy as np
 
-from ..core.contours import Fit, Mixed, Outline, all_fitted
-from ..core.declared.parameters import require
+from ..core.contours import Mixed, Outline
+from ..core.declared.parameters import ShapeError, require
 from ..core.later import later
 from ..core.stations.cells import bend
 from ..core.stations.sampling import Tolerance, place
 from ..core.trajectories import Bezier, Nurbs, Polyline
 from ..core.trajectories.arc_length import arc_length
 
-around_letters, letter_paths = later("bridge.letters", "around_letters", "letter_paths")
+filled = later("bridge.filled")
 
 COINCIDENT = 1e-6  # of the size: single precision keeps no less
 GENTLE = np.radians(15)  # of a chord of an outline, in which a corner of more than 20 degrees is an edge
@@ -56,7 +58,11 @@ def contour(ob, depsgraph=None, scaled=True):
     """
     if ob.type != "CURVE":
         return outline(ob, depsgraph, scaled)
-    scale = ob.scale[:2] if scaled else 1.0
+    return or_mended(parted, ob, depsgraph, ob.scale[:2] if scaled else 1.0)
+
+
+def parted(ob, depsgraph, scale):
+    """The contour of a curve whose splines are areas, curves and points."""
     loops, lines, points = ([line * scale for line in found] for found in as_shown(ob, depsgraph, spline_parts))
     require(loops or lines or points, "must be a curve or text with an outline", ob.name)
     if points or loops and lines:
@@ -76,10 +82,30 @@ def outline(ob, depsgraph=None, scaled=True):
     scaled : bool
         Whether it is scaled as the object is.
     """
-    around = around_letters if ob.type == "FONT" else Outline
-    found = as_shown(ob, depsgraph, letter_paths if ob.type == "FONT" else spline_loops)
-    require(found, "must be a curve or text with an outline", ob.name)
-    return around([part * (ob.scale[:2] if scaled else 1.0) for part in found])
+    scale = ob.scale[:2] if scaled else 1.0
+    if ob.type == "CURVE":
+        return or_mended(closed, ob, depsgraph, scale)
+    letters = as_shown(ob, depsgraph, filled.paths)
+    require(letters, "must be a curve or text with an outline", ob.name)
+    return filled.around_letters([path * scale for path in letters])
+
+
+def closed(ob, depsgraph, scale):
+    """The outline of a curve whose splines are closed."""
+    loops = as_shown(ob, depsgraph, spline_loops)
+    require(loops, "must be a curve or text with an outline", ob.name)
+    return Outline([loop * scale for loop in loops])
+
+
+def or_mended(read, ob, depsgraph, scale):
+    """What is read of a curve; where that is refused, but its splines only cross a little, as those of drawings do that
+    were imported, the outline around what they fill."""
+    try:
+        return read(ob, depsgraph, scale)
+    except ShapeError:
+        with suppress(ShapeError):  # of what cannot be mended: the first refusal is the one that says why
+            return filled.mended_outline([path * scale for path in as_shown(ob, depsgraph, filled.drawn_paths)])
+        raise
 
 
 def as_shown(ob, depsgraph, read):
@@ -215,78 +241,3 @@ def spaced(size, order, closed, endpoint, bezier):
     first, period = np.concatenate((np.zeros(apart), repeated[:-1])), repeated[-1]
     turn, index = np.divmod(np.arange(size + order + (order - 1 if closed else 0)), count)
     return first[index] + turn * period
-
-
-def from_trajectory(trajectory, name):
-    """A Blender curve of a trajectory: a cubic through its stations, or a polyline's own corners."""
-    curve = bpy.data.curves.new(name, "CURVE")
-    curve.dimensions = "3D"
-    if isinstance(trajectory, Polyline):
-        spline = new_poly(curve, trajectory.points.values)
-        carry(spline.points, trajectory)
-    else:
-        spline = curve.splines.new("BEZIER")
-        chain = trajectory if isinstance(trajectory, Bezier) else through(trajectory)
-        set_bezier(spline, chain)
-        carry(spline.bezier_points, chain)
-    spline.use_cyclic_u = trajectory.closed
-    return curve
-
-
-def from_axes(points, radii, offsets, name):
-    """A Blender curve of poly-lines, each a spline whose bevel is as thick as the radii of its points say."""
-    curve = bpy.data.curves.new(name, "CURVE")
-    curve.dimensions, curve.bevel_depth, curve.use_fill_caps = "3D", 1.0, True
-    for start, end in zip(offsets[:-1].tolist(), offsets[1:].tolist(), strict=True):
-        new_poly(curve, points[start:end]).points.foreach_set("radius", radii[start:end])
-    return curve
-
-
-def carry(points, trajectory):
-    """Write the radii and tilts of a trajectory on the points of its spline."""
-    for name, given in (("radius", trajectory.radii), ("tilt", trajectory.tilts)):
-        if len(given):
-            points.foreach_set(name, given.values)
-
-
-def through(trajectory):
-    """A chain of cubics through stations of a trajectory, with its tangents: a step of 1/8 radian, fourth order."""
-    stations = place(trajectory, Tolerance(trajectory.length() / 1000))
-    starts, onward, step = stations.starts, stations.onward, stations.lengths[:, None] / 3
-    out = stations.points[starts] + step * stations.leave[starts]
-    back = stations.points[onward] - step * stations.arrive[onward]
-    chain = np.stack((stations.points[starts], out, back), axis=1).reshape(-1, 3)
-    chain = chain if stations.closed else np.concatenate((chain, stations.points[-1:]))
-    own = trajectory.carried(stations.u) if trajectory.carries else ()
-    return Bezier(chain, stations.closed, *own)
-
-
-def set_bezier(spline, chain):
-    """The knots and handles of a chain as a spline; an open chain's outer handles mirror the inner ones."""
-    points = chain.points.values
-    if chain.closed:
-        rows = np.concatenate((points[-1:], points[:-1])).reshape(-1, 3, 3)
-    else:
-        rows = np.concatenate((2 * points[:1] - points[1:2], points, 2 * points[-1:] - points[-2:-1])).reshape(-1, 3, 3)
-    spline.bezier_points.add(len(rows) - 1)
-    for i, name in enumerate(("handle_left", "co", "handle_right")):
-        spline.bezier_points.foreach_set(name, rows[:, i].ravel())
-
-
-def new_poly(curve, points):
-    spline = curve.splines.new("POLY")
-    spline.points.add(len(points) - 1)
-    columns = np.zeros((len(points), 4))
-    columns[:, : points.shape[1]], columns[:, 3] = points, 1.0
-    spline.points.foreach_set("co", columns.ravel())
-    return spline
-
-
-def from_contour(contour, name):
-    """A flat Blender curve of a contour, a polyline for each loop, which is cyclic, and for each open line."""
-    curve = bpy.data.curves.new(name, "CURVE")
-    curve.dimensions = "2D"
-    for section in all_fitted(contour, Fit.INSCRIBED):
-        for points in np.split(section.points, section.offsets[1:-1]):
-            new_poly(curve, points).use_cyclic_u = section.closed
-    return curve

@@ -10,7 +10,7 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import add, curve, places, text
 
 from sweep_addon import contours, trajectories
-from sweep_addon.bridge import curves
+from sweep_addon.bridge import curves, drawn_curves
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.core.trajectories.arc_length import arc_length
@@ -233,6 +233,19 @@ def test_letters_that_overlap_or_turn_back_on_themselves_are_an_outline_around_t
     assert section.points.max(axis=0) == pytest.approx(bounds.max(axis=0), abs=1e-3)
 
 
+def test_a_drawing_whose_splines_slip_is_the_outline_of_what_it_shows(scene):
+    """As the icons that people import have them: a spike without width, a corner passed twice, a line to and fro."""
+    square = [(0, 0), (1, 0), (1, 1), (1, 1.001), (1, 1), (0, 1)]
+    hole = [(0.25, 0.25), (0.75, 0.25), (0.75, 0.751), (0.751, 0.75), (0.25, 0.75)]
+    line = [(2, 0), (2, 1)]
+    knots = ([((x, y, 0),) * 3 for x, y in spline] for spline in (square, hole, line))
+    ob = curve("BEZIER", *(np.reshape(spline, (-1, 9)) for spline in knots), use_cyclic_u=True)
+    for read in (curves.outline, curves.contour):
+        section = read(ob).section()
+        assert len(section.offsets) == 3
+        assert section.area == pytest.approx(0.75, abs=1e-3)
+
+
 def test_curve_of_a_trajectory_is_that_trajectory(scene):
     """There and back: Blender's points stay within a thousandth of the length of where the trajectory is."""
     corner = trajectories.Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
@@ -240,7 +253,7 @@ def test_curve_of_a_trajectory_is_that_trajectory(scene):
     spline = trajectories.Nurbs([(0, 0, 0), (0, 0, 1), (0, 1, 2), (0, 2, 2)], radii=[1, 1, 0.5, 2])
     known = (trajectories.Line(), trajectories.Helix(), trajectories.TorusKnot(), trajectories.Bezier())
     for made in (corner, *known, carrying, spline):
-        ob = add("back", curves.from_trajectory(made, "back"))
+        ob = add("back", drawn_curves.from_trajectory(made, "back"))
         (again,) = curves.trajectories(ob)
         assert again.closed == made.closed
         assert again.length() == pytest.approx(made.length(), rel=1e-4)
@@ -281,6 +294,6 @@ def test_spline_of_one_point_is_a_point_whatever_its_kind(scene, kind):
 
 def test_curve_of_a_mixed_contour_is_that_contour(scene):
     contour = curves.contour(mixed())
-    again = curves.contour(add("again", curves.from_contour(contour, "again")))
+    again = curves.contour(add("again", drawn_curves.from_contour(contour, "again")))
     for section, other in zip(again.sections(), contour.sections(), strict=True):
         assert np.abs(section.points - other.points).max() < SINGLE and (section.offsets == other.offsets).all()
