@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from ..core.contours import Outline
 from ..core.contours.arc_recovery import recover_arcs
-from ..core.declared.parameters import require
+from ..core.declared.parameters import ShapeError, require
 from . import curves
 
 QUARTER = 2e-4  # of its size: what a circle of four Bezier segments is off at most
@@ -16,11 +16,15 @@ QUARTER = 2e-4  # of its size: what a circle of four Bezier segments is off at m
 def outline(ob, depsgraph=None, scaled=True):
     """The outline of a curve or text object as `curves.outline` has it, with arcs where splines bend.
 
-    Straight splines stay as they are drawn, also those whose corners lie on a circle.
+    Straight splines stay as they are drawn, also those whose corners lie on a circle. Letters that overlap, and drawings
+    whose splines slip, have no arcs.
     """
-    loops, bent = curves.as_shown(ob, depsgraph, loops_and_bends)
-    require(loops, "must be a curve or text with an outline", ob.name)
-    return with_arcs(Outline([loop * (ob.scale[:2] if scaled else 1.0) for loop in loops]), bent)
+    try:
+        loops, bent = curves.as_shown(ob, depsgraph, loops_and_bends)
+        require(loops, "must be a curve or text with an outline", ob.name)
+        return with_arcs(Outline([loop * (ob.scale[:2] if scaled else 1.0) for loop in loops]), bent)
+    except ShapeError:
+        return curves.outline(ob, depsgraph, scaled)  # or the same refusal
 
 
 def loops_and_bends(splines):

@@ -8,7 +8,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import add, curve, extent, select
+from scenes import add, curve, extent, select, text
 
 import sweep_addon as sw
 from sweep_addon.bridge import objects
@@ -90,6 +90,17 @@ def test_the_area_in_the_active_curve_is_offset_and_followed(scene):
     assert "true arcs" in ob.data.sweep.told
     group.side, group.radius = "INSIDE", 3.0
     assert "must leave something of the area inside" in ob.data.sweep.error
+
+
+def test_letters_are_offset_whose_outline_turns_back_on_itself(scene):
+    """The Q of Blender's own font, by a tenth: a margin as wide all round it, outwards and into its bow."""
+    letter = text("Q")
+    select(letter)
+    assert bpy.ops.object.sweep_offset_selected() == {"FINISHED"}
+    ob = bpy.context.active_object
+    ob.data.sweep.offset_surface.radius = 0.1
+    assert ob.data.sweep.error == ""
+    assert extent(ob)[:2] == pytest.approx([side + 0.2 for side in letter.dimensions[:2]], abs=2e-3)
 
 
 def area(ob):
