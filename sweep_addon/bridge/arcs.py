@@ -16,8 +16,8 @@ QUARTER = 2e-4  # of its size: what a circle of four Bezier segments is off at m
 def outline(ob, depsgraph=None, scaled=True):
     """The outline of a curve or text object as `curves.outline` has it, with arcs where splines bend.
 
-    Straight splines stay as they are drawn, also those whose corners lie on a circle. Letters that overlap, and drawings
-    whose splines slip, have no arcs.
+    Straight splines stay as they are drawn, also those whose corners lie on a circle. Letters that overlap, and
+    drawings whose splines slip, have no arcs.
     """
     try:
         loops, bent = curves.as_shown(ob, depsgraph, loops_and_bends)
