@@ -3,6 +3,7 @@
 """Points of mitred corners whose legs have their contours beside the path, or each in a frame of its own: formulas."""
 
 import numpy as np
+import pytest
 
 import sweep_addon as sw
 
@@ -35,3 +36,15 @@ def test_what_one_leg_has_and_the_other_has_not_is_a_face():
     expected = np.where(first & second, 1, np.where(first | second, 0, -1))
     assert (sw.classify(bar, CORNER + beside) == expected).all()
     assert min((expected == label).sum() for label in (-1, 0, 1)) > 200
+
+
+@pytest.mark.parametrize("degrees", [90, 150, 170, 178])
+def test_the_point_of_a_mitre_is_on_however_sharp_it_is(degrees):
+    """It is half a breadth over the cosine of half the turn from the corner; no direction around it need lead inside."""
+    turn, half = np.radians(degrees), 0.05
+    path = sw.trajectories.Polyline([(-9, 0, 0), (0, 0, 0), 9 * np.array([np.cos(turn), np.sin(turn), 0])])
+    bar = sw.GeneralizedCylinder(sw.contours.Rectangle(2 * half, 0.1), path)
+    outward = np.array([np.sin(turn / 2), -np.cos(turn / 2), 0])
+    tip = half / np.cos(turn / 2) * outward
+    points = [tip + (0, 0, 0.05), tip, 0.999 * tip, 1.001 * tip]
+    assert sw.classify(bar, points).tolist() == [0, 0, 1, -1]

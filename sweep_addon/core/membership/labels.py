@@ -24,7 +24,8 @@ def around(count=DIRECTIONS):
 def decided(labels, points, tolerance, member):
     """Labels in which those that a neighbourhood decides are decided: in if all around is in, out if all is out.
 
-    A few directions tell of nearly all that are on; only where these agree all are asked.
+    A few directions tell of nearly all that are on; only where these agree all are asked. Of what is thinner than
+    these, as the tip of a spike, a member may know by itself: ``is_thin(points, tolerance)``.
     """
     asked, labels = np.flatnonzero(labels == TOUCHED), labels.copy()
     some_in, some_out = np.zeros((2, len(labels)), dtype=bool)
@@ -37,6 +38,9 @@ def decided(labels, points, tolerance, member):
         asked = asked[~(some_in & some_out)[asked]]
     left = labels == TOUCHED
     labels[left] = np.where(some_in & some_out, ON, np.where(some_out, OUT, IN))[left]
+    if hasattr(member, "is_thin"):
+        thin = np.flatnonzero(left & (labels == OUT))
+        labels[thin[member.is_thin(points[thin], tolerance)]] = ON
     return labels
 
 

@@ -163,6 +163,17 @@ class MovingPlane:
             labels[contacts > 0] = np.where(contacts > 1, TOUCHED, ON)[contacts > 0]
         return labels
 
+    def is_thin(self, points, tolerance):
+        """Whether a contour that moves on is at points (n, 3) within a tolerance, so that some inside is: (n,) bool."""
+        boxes, found = self.hash(tolerance), np.zeros(len(points), dtype=bool)
+        point, panel = boxes.pairs(boxes.cells(points))
+        which, x = self.planes.hits(points[point], panel, tolerance)
+        point, panel = point[which], panel[which]
+        inside, contact = self.sides(points[point], panel, x, tolerance)
+        moves = np.abs(self.planes.series(points[point], panel)[:, 1:]).max(axis=1, initial=0.0) > tolerance
+        found[point[moves & (inside | (contact > 0))]] = True
+        return found
+
     def is_clean(self, tolerance):
         """Whether it is known that no two images of a point are in the contour, or within a tolerance of it."""
         if self.is_sheet or not self.way.clean:
