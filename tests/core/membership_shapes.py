@@ -48,6 +48,7 @@ CORNERS = {
     "a mitre beyond its limit": tube(BAR, path(HAIRPIN, sw.corners.Mitre(1.5))),
     "a round tube's mitre beyond its limit": tube(sw.contours.Circle(0.06), path(HAIRPIN, sw.corners.Mitre(1.5))),
     "closed mitres": tube(BAR, path(SQUARE, closed=True)),
+    "closed mitres that turn": tube(STAR, path(SQUARE, closed=True), samples=MANY),
     "closed mitres, twisted": tube(
         BAR, path(SQUARE, closed=True), frame=sw.frames.RotationMinimizing(1, 1), samples=MANY
     ),

@@ -86,3 +86,12 @@ def test_where_no_frame_leaps_there_is_nothing():
     for frame, trajectory in ((Frenet(), TURNING), (EXACT, Helix()), (Frenet(), EIGHT)):
         assert leaps(frame, trajectory).shape == (0, 2)
     assert leaps(EXACT, EIGHT).shape == (2, 2)
+
+
+@pytest.mark.parametrize("trajectory", [TURNING, EIGHT])
+@pytest.mark.parametrize("count", [3, 9, 401])
+def test_no_contour_stands_halfway_round_where_a_frame_leaps(trajectory, count):
+    """Beside a path in a plane a bar lies in that plane, also where a contour stands at the inflection."""
+    beside = Outline([box((0.05, -0.01), (0.1, 0.01))])
+    mesh = GeneralizedCylinder(beside, trajectory, Count(count), EXACT).mesh()
+    assert np.abs(mesh.vertices[:, 2]).max() == pytest.approx(0.01, rel=1e-6)

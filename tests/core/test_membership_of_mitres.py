@@ -40,7 +40,7 @@ def test_what_one_leg_has_and_the_other_has_not_is_a_face():
 
 @pytest.mark.parametrize("degrees", [90, 150, 170, 178])
 def test_the_point_of_a_mitre_is_on_however_sharp_it_is(degrees):
-    """It is half a breadth over the cosine of half the turn from the corner; no direction around it need lead inside."""
+    """It is half a breadth over the cosine of half the turn from the corner; few directions lead inside."""
     turn, half = np.radians(degrees), 0.05
     path = sw.trajectories.Polyline([(-9, 0, 0), (0, 0, 0), 9 * np.array([np.cos(turn), np.sin(turn), 0])])
     bar = sw.GeneralizedCylinder(sw.contours.Rectangle(2 * half, 0.1), path)

@@ -31,6 +31,7 @@ __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMini
 PLACES = 2049  # where it is looked at how a frame turns, from each of which to the next it is continued
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 TIE = 1e-6  # radians: where planes of two bends are square to each other, rounding must not choose the side
+SHORT = 4  # of them: over a longer stretch without a normal a frame turns evenly
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
 
@@ -312,7 +313,7 @@ def continued(frame, trajectory):
     Returns
     -------
     s : (n,) float array
-        Arc lengths in metres, evenly spaced from end to end.
+        Arc lengths in metres, rising from end to end; twice where a leap ends.
     angles : (n,) float array
         From the rotation-minimizing normals, in radians; 0 where the frame is defined nowhere.
     period : float
@@ -332,7 +333,24 @@ def continued(frame, trajectory):
     period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
     if placed.closed:
         angles = np.append(angles, angles[-1] + nearest(angles[0] - holonomy - angles[-1], period))
+    s, angles = leaping_at_once(s, angles, defined, placed.closed)
     return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips), True
+
+
+def leaping_at_once(s, angles, defined, closed):
+    """Places and angles (n,) with each leap at its end, so that what has no angle itself is not found halfway round."""
+    at = np.flatnonzero(defined)
+    known, lap = angles[at], len(angles) - 1
+    if closed:
+        grown = angles[-1] - angles[0]
+        at, known = np.append(at, at[0] + lap), np.append(known, known[0] + grown)
+        at, known = np.insert(at, 0, at[-2] - lap), np.insert(known, 0, known[-2] - grown)
+    leap = np.append((np.abs(np.diff(known)) > JUMP) & (np.diff(at) <= SHORT), False)
+    here = np.arange(lap + 1)
+    before = np.maximum(np.searchsorted(at, here, side="right") - 1, 0)
+    angles = np.where(leap[before], known[before], angles)
+    ended = np.flatnonzero(leap[:-1] & (at[1:] >= 0) & (at[1:] <= lap))
+    return np.insert(s, at[ended + 1], s[at[ended + 1]]), np.insert(angles, at[ended + 1], known[ended])
 
 
 def along_path(frame, stations, found, defined):

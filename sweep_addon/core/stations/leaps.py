@@ -8,11 +8,10 @@ from math import tau
 import numpy as np
 
 from . import sampling
-from .frames import JUMP, PLACES, Continuation, evenly, rotation_minimizing
+from .frames import JUMP, PLACES, SHORT, Continuation, evenly, rotation_minimizing
 from .rotations import wrapped
 
 PARTS = 16  # of a step with a leap, which is looked for in each: single precision still tells their ends apart
-STRAIGHT = 4  # even steps: over a longer stretch without a normal the frame turns evenly
 
 
 @lru_cache(maxsize=16)
@@ -42,7 +41,7 @@ def leaps(frame, trajectory):
     """
     s, placed = evenly(trajectory)
     total = s[-1]
-    straight = STRAIGHT * total / PLACES
+    straight = SHORT * total / PLACES
     found = leaping(frame, placed, straight)
     if len(found):
         closer = np.linspace(*found.T, PARTS + 1).ravel()

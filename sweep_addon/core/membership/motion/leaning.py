@@ -18,11 +18,12 @@ from .way import Carried
 TIP = 1e-12  # a scale of a contour that is a point: its plane has axes all the same
 
 
-def leans(along):
-    """Whether planes are to lean: where laws or tapers change the contour between mitres, or a bevel stands for one."""
+def leans(along, grown):
+    """Whether planes are to lean: where laws, tapers or the angle that a frame has grown by when it is back change the
+    contour between mitres, or a bevel stands for one."""
     path = along.trajectory
     mitred = isinstance(path, Polyline) and not path.rounded and len(path.corners())
-    return isinstance(path, Cut) or bool(mitred and not (along.is_constant and not any(along.tapers)))
+    return isinstance(path, Cut) or bool(mitred and (grown or not along.is_constant or any(along.tapers)))
 
 
 class Leaning:

@@ -19,6 +19,7 @@ from ...stations.bending import Bending
 from ...stations.frames import RotationMinimizing, axes
 from ...stations.sampling import stations
 from ...stations.spans import spans
+from ...stations.transport import transport
 from ...trajectories import Polyline
 from ...trajectories.arc_length import arc_length
 from ...vectors import dot, norms, unit
@@ -55,7 +56,8 @@ def of_cylinder(shape):
 
     breaks = np.concatenate((measure.at(trajectory.joints()), along.marks()))
     corners = corners_of(trajectory)
-    if leans(along):
+    grown = shape.frame.grown(transport(trajectory).holonomy, symmetry) if closed else 0.0
+    if leans(along, grown):
         known = np.array([corner.parameter for corner in corners])
         leaning = Leaning(standing, known if closed else np.concatenate(((0.0,), known, (measure.total,))), reach)
         carried, corners, breaks = leaning.carried, (), np.append(breaks, leaning.breaks())

@@ -170,7 +170,7 @@ class MovingPlane:
         which, x = self.planes.hits(points[point], panel, tolerance)
         point, panel = point[which], panel[which]
         inside, contact = self.sides(points[point], panel, x, tolerance)
-        moves = np.abs(self.planes.series(points[point], panel)[:, 1:]).max(axis=1, initial=0.0) > tolerance
+        moves = np.abs(self.planes.held[panel, :, 1:]).max(axis=(1, 2), initial=0.0) > UNCHANGED
         found[point[moves & (inside | (contact > 0))]] = True
         return found
 
