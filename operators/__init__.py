@@ -5,7 +5,6 @@
 from bpy.utils import register_classes_factory
 
 from . import (
-    add_item,
     add_preset,
     add_shape,
     apply,
@@ -18,9 +17,9 @@ from . import (
     edit_as_curve,
     find_self_intersections,
     grammar,
+    list_items,
     make_solid,
     offset_selected,
-    remove_item,
     sweep_selected,
     tree_steps,
     whole_trees,
@@ -36,8 +35,8 @@ register, unregister = register_classes_factory(
         bend.OBJECT_OT_sweep_bend,
         copy_as.OBJECT_OT_sweep_copy,
         edit_as_curve.OBJECT_OT_sweep_edit_as_curve,
-        add_item.OBJECT_OT_sweep_item_add,
-        remove_item.OBJECT_OT_sweep_item_remove,
+        list_items.OBJECT_OT_sweep_item_add,
+        list_items.OBJECT_OT_sweep_item_remove,
         find_self_intersections.OBJECT_OT_sweep_find_self_intersections,
         find_self_intersections.OBJECT_OT_sweep_select_self_intersections,
         make_solid.OBJECT_OT_sweep_make_solid,

@@ -18,8 +18,7 @@ from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes.kinds import CLASSIFICATION
 from ..sweep_addon.core.shapes.plant import Plant
 from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
-from . import l_system, previews
-from .sentences import sentences
+from . import previews
 
 axis_curves, declared_layout = later("bridge.axis_curves"), later("bridge.layout")
 live, objects = later("properties.live"), later("bridge.objects")
@@ -37,6 +36,8 @@ class VIEW3D_PT_sweep(Panel):
     bl_category = "Sweep"
 
     def draw(self, context):
+        from .sentences import sentences  # starting Blender waits for each file
+
         layout, ob = self.layout, context.active_object
         row = layout.row(align=True)
         row.menu("VIEW3D_MT_sweep_add", text="Add", icon="ADD")
@@ -76,6 +77,8 @@ def hint(context):
 
 
 def draw_sweep(layout, context, mesh, say):
+    from . import l_system
+
     sweep = mesh.sweep
     shape, group = objects.group_of(mesh)
     grown = shape is Plant

@@ -11,10 +11,7 @@ Examples
 """
 
 from .ball import Ball
-from .block import Block
-from .bracket import Bracket
-from .cylinder import Cylinder
-from .drilled_block import DrilledBlock
+from .prisms import Block, Bracket, Cylinder, DrilledBlock
 from .triangles import Triangles
 
 Solid = Block | Ball | Cylinder | Bracket | DrilledBlock | Triangles
