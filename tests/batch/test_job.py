@@ -61,6 +61,7 @@ def written(folder, text, name="job.toml"):
             ":2: system.fiel: is no parameter of GrammarFile, which has file: did you mean 'file'?"
         ),
         START + "[render]\nkind = 'png'": ":4: render.kind: is no parameter of Render, which has engine, ",
+        "kind = 'plant'\n[rendr]\nwidth = 100": ":2: rendr: is no parameter of Plant, which has system, ",
         "kind = 'rotational-sweep'\naxis = 1": ":2: axis: is no parameter of RotationalSweep, which has ",
         START + "[[contour]]\nkind = 'circle'": ":3: contour: must be one of circle, ",
         START + "contour = {file = ''}": ":3: contour.file: must name a file, got ''",
@@ -76,6 +77,12 @@ def test_a_refusal_names_file_line_and_key(tmp_path, text, sentence):
             read(path)
         assert str(refusal.value).startswith(f"{path}{sentence}")
         assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(("slip", "meant"), [("[rendr]", "render"), ("vesion = 1", "version"), ("sed = 1", "seed")])
+def test_a_slip_in_any_key_of_a_job_is_told_what_was_meant(tmp_path, slip, meant):
+    with pytest.raises(jobs.JobError, match=rf": did you mean '{meant}'\?$"):
+        jobs.read(written(tmp_path, f"kind = 'plant'\n{slip}\n"))
 
 
 def test_all_mistakes_of_a_job_are_told_each_at_its_line(tmp_path):

@@ -30,6 +30,7 @@ SLIPS = {
     "first = 3": ONCE,
     "first.b = 3": ONCE,
     "a = {b = 1, b = 2}": ONCE,
+    "a = 0.4[": "a line ends after its value",
     "a = [1, 2": "a list ends with ], with commas between its values",
     "a = [1 2]": "a list ends with ], with commas between its values",
     "a = {b = 1 c = 2}": "a table in one line ends with }, with commas between its values",

@@ -21,6 +21,7 @@ counted = later("core.csg.shared", "counted")
 LONGEST = 50_000_000  # bytes of a job
 MOST_WRITTEN = 100_000  # operands of a tree, each as often as it is named
 DEEPEST = 32  # tables and lists inside one another
+BESIDE = ("version", "render")  # keys of a job beside the parameters of its shape
 WIDEST = 100  # characters of a line that is written
 
 KEY = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
@@ -81,7 +82,7 @@ def shape_of(shapes, table):
     require(version <= VERSION, f"must be at most {VERSION}, the newest that this program reads", version, "version")
     for migrate in MIGRATIONS[int(version) - 1 :]:
         table = migrate(table)
-    return from_table({spelled(shape): shape for shape in shapes}, table, parameters)
+    return from_table({spelled(shape): shape for shape in shapes}, table, parameters, BESIDE)
 
 
 def load(shapes, text):

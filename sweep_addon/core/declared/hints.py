@@ -82,9 +82,9 @@ def meant(names, name):
     return f": did you mean {told}?" if told else ""
 
 
-def has_none(owner, name, names):
-    """What to say of a name that is no parameter of something, which has others."""
-    return f"no parameter of {owner}, which has {', '.join(names) or 'none'}{meant(names, name)}"
+def has_none(owner, name, names, beside=()):
+    """What to say of a name that is no parameter of something, which has others, and more may stand beside them."""
+    return f"no parameter of {owner}, which has {', '.join(names) or 'none'}{meant([*names, *beside], name)}"
 
 
 def kindless(names, table):

@@ -340,8 +340,11 @@ def measured(unit):
         raise error.worded(said) from error.__cause__
 
 
-def from_table(names, table, declared):
-    """A value from a table of plain values whose ``kind`` is one of the names."""
+def from_table(names, table, declared, beside=()):
+    """A value from a table of plain values whose ``kind`` is one of the names.
+
+    Other keys that people may have meant, which were taken out of it, are told of too.
+    """
     table = dict(table)
     if "kind" not in table:
         from .hints import kindless  # nobody needs it until something is refused
@@ -349,10 +352,10 @@ def from_table(names, table, declared):
         raise kindless(names, table)
     with at("kind"):
         kind = pick(names, table.pop("kind"))
-    return filled(kind, declared(kind), table)
+    return filled(kind, declared(kind), table, beside)
 
 
-def filled(kind, declared, table):
+def filled(kind, declared, table, beside=()):
     """A value of a kind from a table of some of its parameters."""
     require(isinstance(table, dict), f"must be a table of {', '.join(q.name for q in declared)}", table)
     known = {q.name: q.default for q in declared}
@@ -362,7 +365,7 @@ def filled(kind, declared, table):
         return kind(**given)
     from .hints import has_none
 
-    refused = [ShapeError(f"is {has_none(kind.__name__, key, known)}", named(key)) for key in unknown[:MOST]]
+    refused = [ShapeError(f"is {has_none(kind.__name__, key, known, beside)}", named(key)) for key in unknown[:MOST]]
     try:
         proven(kind, **{key: given[key] for key in known})  # what goes together is not asked where one is missing
     except ShapeError as error:

@@ -14,6 +14,7 @@ LONG = 1_000_000  # characters of a text that is not read again
 BARE = re.compile(r"""^[ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{#][^"'#]*)""")
 BARE_INSIDE = re.compile(r"""[{,][ \t]*([\w-]+)[ \t]*=[ \t]*([^\s"'\[{},#][^"'\[\]{},#=]*)(?![^,}]*=)""")
 VALUE = re.compile(r"[+-]?(?:[\d_]+(?:\.[\d_]+)?(?:[eE][+-]?\d+)?|inf|nan|0[xob]\w+)|true|false|\d{4}-\d\d.*|\d\d:.*")
+LIKE_TEXT = re.compile(r"[^\W\d]|[*/^(]")
 NUMBER = re.compile(r"[+-]?(?:0+\d+\.?\d*|\d+\.|\.\d+)(?:[eE][+-]?\d+)?")  # as other languages have them
 
 ENDED = "a text ends with the quote that it begins with, on the same line"
@@ -103,6 +104,6 @@ def meant(line):
             return f"true and false have small letters: {key} = {text.lower()}"
         if text.lower() in ("none", "null", "nil"):
             return f"a parameter that has no value is left out, got {key} = {text}"
-        if not VALUE.fullmatch(text) and "=" not in text:
+        if not VALUE.fullmatch(text) and "=" not in text and LIKE_TEXT.search(text):
             return f'text and formulas stand in quotes: {key} = "{text}"'
     return ""
