@@ -80,6 +80,7 @@ __all__ = [
 if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
     __all__ += ["from_object", "to_object"]
 
+SPACES = ("contours", "corners", "directions", "ends", "frames", "laws", "limits", "sampling", "solids", "trajectories")
 LATER = {
     "Curves": ".core.shapes.plant",
     "Edges": ".core.shapes.plant",
@@ -119,7 +120,9 @@ def __getattr__(name):
     if name == "presets":
         return import_module(".presets", __package__)
     if name not in LATER:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        found = [f"{space}.{name}" for space in SPACES if name in dir(globals()[space])]
+        where = f": it is {' or '.join(found)}" if found else ""
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{where}")
     try:
         return getattr(import_module(LATER[name], __package__), name)
     except ModuleNotFoundError as error:

@@ -51,8 +51,8 @@ PICTURES = {".png": "PNG", ".jpg": "JPEG", ".webp": "WEBP", ".exr": "OPEN_EXR"}
 
 def check_output(path, suffixes):
     """The absolute path of an output, refused before anything is done for it."""
-    path = Path(path).absolute()
-    require(path.suffix.lower() in suffixes, f"must end in {', '.join(suffixes)}", path.name, "output")
+    told, path = str(path), Path(path).absolute()
+    require(path.suffix.lower() in suffixes, f"must end in {', '.join(suffixes)}", told, "output")
     there = next(folder for folder in path.parents if folder.exists())
     require(there.is_dir(), "must be in a folder", str(there), "output")
     require(not path.is_dir(), "must be a file", str(path), "output")

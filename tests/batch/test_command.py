@@ -381,6 +381,7 @@ def test_a_picture_is_filled_to_its_margin(scene, job, capfd):
     {
         ("build", "-o", "a.png"): "output: must end in .blend, .glb, .stl, .obj, .ply, got 'a.png'",
         ("render", "-o", "a.glb"): "output: must end in .png, .jpg, .webp, .exr, got 'a.glb'",
+        ("build", "-o", "."): "output: must end in .blend, .glb, .stl, .obj, .ply, got '.'",
         ("build", "-o", "tube.toml/a.glb"): "output: must be in a folder, got ",
         ("render", "-o", "a.png", "--frame", "2"): "frame: must be from 1 to 1, the pictures of tube.toml, got 2",
     }.items(),

@@ -78,3 +78,14 @@ def test_all_public_names_can_be_imported_without_blender():
 def test_what_needs_blender_is_public_where_it_is():
     assert {"from_object", "to_object"} <= set(sw.__all__)
     assert all(hasattr(sw, name) for name in sw.__all__)
+
+
+@pytest.mark.parametrize(
+    ("name", "where"),
+    [("Circle", "contours.Circle"), ("Round", "corners.Round or ends.Round"), ("from_csv", "trajectories.from_csv")],
+)
+def test_a_name_that_is_elsewhere_is_told_where(name, where):
+    with pytest.raises(AttributeError, match=f"^module '.*' has no attribute '{name}': it is {where}$"):
+        getattr(sw, name)
+    with pytest.raises(AttributeError, match="^module '.*' has no attribute 'Sphere'$"):
+        sw.Sphere  # noqa: B018
