@@ -19,11 +19,12 @@ from ..stations.sampling import Count, Sampling, Tolerance, place
 from ..trajectories import Helix, Trajectory
 from ..variation.laws import Law
 from ..variation.morph import AS_THICK, Blend, Match, Morph
-from ..variation.rails import Guided, Rail, Rails
+from ..variation.rail import Guided, Rail
 from ..vectors import dot
 from .operand import Operand
 
 caps, closing = later("core.rings.caps"), later("core.rings.closing")
+Rails = later("core.variation.rails", "Rails")
 Along, tapers, tips = later("core.variation.along", "Along", "tapers", "tips")
 fanned = later("core.rings.bevels", "fanned")
 Body, Swept = later("core.rings.body", "Body", "Swept")

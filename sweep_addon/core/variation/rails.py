@@ -6,24 +6,21 @@ Of a rail counts the point where it meets the plane of the contour, of several t
 depends on the plane alone: round a closed trajectory rails lead to where they began, whether they are closed or not.
 """
 
-from enum import Enum
 from functools import lru_cache
 
 import numpy as np
 
 from ..declared.frozen import frozen
-from ..declared.parameters import ShapeError, declared, parameter
+from ..declared.parameters import ShapeError
 from ..declared.wording import near
 from ..later import later
 from ..stations.frames import OfItsPlace, flipping
-from ..trajectories import Line, Trajectory
 from ..vectors import dot, norms, unit
+from .rail import Guided
 
 signed_angle, turned = later("core.stations.rotations", "signed_angle", "turned")
 roots = later("core.self_intersection.folds", "roots")
 arc_length, subdivided = later("core.trajectories.arc_length", "arc_length", "subdivided")
-
-__all__ = ["Guided", "Rail"]
 
 CELLS = 128  # at least, of a rail, in each of which it meets a plane once
 AT_HAND = 2**17  # distances of nodes from planes that are found at once
@@ -33,29 +30,6 @@ MISSED = 1e-3  # of the trajectory's length: a plane that a rail misses by more 
 TOUCHING, LEAST = 1e-6, 1e-30  # of the rail's coordinates, and in metres
 LEVEL = 1e-9  # of the contour's size: points of one side
 TOGETHER = 2**20  # points of changing contours that are looked at together
-
-
-class Guided(Enum):
-    EVENLY = "The contour keeps its proportions between two rails"
-    IN_WIDTH = "The contour keeps its height, and its width alone follows two rails"
-
-
-@declared
-class Rail:
-    """A curve beside the trajectory that guides the contour
-
-    >>> Rail(Line((1, 0, 0), (1, 0, 1))).path.length()
-    1.0
-    """
-
-    path: Trajectory = parameter(Line((0.3, 0, 0), (0.3, 0, 1)), "Where the rail runs", accepts=("CURVE",))
-
-    @classmethod
-    def after(cls, shape):
-        """One more for a shape: along its trajectory, to either side."""
-        along, side = shape.trajectory, -0.3 if shape.rails else 0.3
-        ends = along.evaluate(np.array(along.domain)) + (side, 0.0, 0.0)
-        return cls(Line(*ends.tolist()))
 
 
 @frozen
@@ -236,6 +210,7 @@ def meeting(path, points, normals):
 
     Examples
     --------
+    >>> from sweep_addon.core.trajectories import Line
     >>> places, missed = meeting(Line((2, 0, 0), (2, 0, 4)), np.array([[0.0, 0, 1], [0, 0, 5]]), np.eye(3)[[2, 2]])
     >>> places.tolist(), missed.tolist()
     ([[2.0, 0.0, 1.0], [2.0, 0.0, 4.0]], [0.0, 1.0])
