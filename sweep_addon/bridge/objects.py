@@ -84,6 +84,7 @@ def to_object(shape, name=None):
     >>> len(tube.data.vertices)
     16
     """
+    require(name is None or isinstance(name, str), "must be text", name, "name")
     if isinstance(shape, Operand) and not isinstance(shape, SHAPES):
         return grove.to_object(shape, name)
     mesh = new_mesh(shape, name)

@@ -9,10 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sweep_addon.core.contours import Circle, from_dxf, from_svg, offset
+from sweep_addon.core.contours import Circle, Outline, from_dxf, from_svg, offset
 from sweep_addon.core.csg import Tree
 from sweep_addon.core.declared.parameters import ShapeError, shown
 from sweep_addon.core.envelopes.reach import reach
+from sweep_addon.core.grammars import LSystem
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.shapes.plant import Plant
 from sweep_addon.core.stations.frames import Frenet
@@ -91,6 +92,24 @@ HUGE = GeneralizedCylinder(Circle(1e10), Line(end=(0, 0, 1e10)), Tolerance(1e-9)
         (
             lambda: Plant("#define ratio 2\naxiom: F", constants={"ratoi": 1, "q": 2}),
             "constants.ratoi: is no constant of the text, which has ratio: did you mean 'ratio'?",
+        ),
+        (
+            lambda: Outline([(0, 0), (1, 0), (1, 1)]),
+            "loops: must be a list of lists of 2 numbers each, got [(0, 0), (1, 0), (1, 1)]",
+        ),
+        (
+            lambda: Outline(np.zeros((3, 2))),
+            "loops: must be a list of lists of 2 numbers each, got array([[0., 0.], [0., 0.], [0., 0.]])",
+        ),
+        (
+            lambda: Plant(Path("a.l")),
+            f"system: must be the text of a grammar, as .read_text() of a path gives, got {Path('a.l')!r}",
+        ),
+        (lambda: LSystem("axiom: F"), "axiom: must be modules, and a text be told to LSystem.parse, got 'axiom: F'"),
+        (
+            lambda: GeneralizedCylinder(samples=100),
+            "samples: must be one of tolerance, count, got 100: say Count(contours=...) or "
+            '{ kind = "count", contours = ... }',
         ),
         (lambda: Tree("blok"), "base: must be a shape, a solid or a tree, got 'blok': did you mean 'block'?"),
         (lambda: Tree("cube"), "base: must be a shape, a solid or a tree, got 'cube': say 'block'"),

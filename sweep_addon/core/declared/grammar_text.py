@@ -4,6 +4,7 @@
 
 from collections.abc import Mapping
 from numbers import Real
+from os import PathLike
 from sys import float_info
 
 from .parameters import ShapeError, require
@@ -25,7 +26,8 @@ class Grammar(str):
         """The text from a text or a system, its lines ended as on any machine."""
         if hasattr(value, "axiom"):
             value = str(value)
-        require(isinstance(value, str), "must be the text of a grammar", value)
+        way = ", as .read_text() of a path gives" if isinstance(value, PathLike) else ""
+        require(isinstance(value, str), f"must be the text of a grammar{way}", value)
         return cls(value.replace("\r\n", "\n").replace("\r", "\n"))
 
 

@@ -57,6 +57,8 @@ def hint(names, value):
         return ": a table that is no item of a list stands in single brackets, as [contour]"
     if isinstance(value, (list, tuple, np.ndarray, Array)):
         return of_a_list(names)
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return of_a_number(names, type(value))
     if isinstance(value, type) and value in names.values():
         return f": say {value.__name__}()"
     if callable(value) and "constant" in names:
@@ -120,6 +122,21 @@ def of_a_list(names):
     what = leading_list(first)
     said = f'{first.__name__}({what}=...) or {{ kind = "{spelled(first)}", {what} = ... }}'
     return f": {what} alone may be those of {f'{others} or {last}' if others else last}, say {said}"
+
+
+def of_a_number(names, type_):
+    """Which kind a number alone could be, if that is one, and how to say so.
+
+    >>> from sweep_addon.core.stations.sampling import Count, Tolerance
+    >>> of_a_number({"tolerance": Tolerance, "count": Count}, int)
+    ': say Count(contours=...) or { kind = "count", contours = ... }'
+    """
+    kinds = [kind for kind in names.values() if isinstance(kind, type) and hasattr(kind, "__dataclass_fields__")]
+    first = [(kind, p.name) for kind in kinds for p in parameters(kind)[:1] if p.type is type_]
+    if len(first) != 1:
+        return ""
+    [(kind, name)] = first
+    return f': say {kind.__name__}({name}=...) or {{ kind = "{spelled(kind)}", {name} = ... }}'
 
 
 def leading_list(kind):

@@ -217,6 +217,8 @@ def coerce(p, value):
         require(isinstance(value, (list, tuple)) or getattr(value, "ndim", 0), "must be a list", value)
         require(rest == [...] or len(value) == 1 + len(rest), f"must be a list of {1 + len(rest)}", value)
         require_few(p, sum(max(1, rows(item)) for item in value))
+        flat = p.columns and rest == [...] and len(value) and rows(value[0]) and not any(map(rows, value[0]))
+        require(not flat, f"must be a list of lists of {p.columns} numbers each", value)
         part = altered(p, type=first)
         return tuple(coerce(part, item) for item in value)
     if hasattr(p.type, "coerced"):

@@ -5,6 +5,7 @@
 from functools import cached_property
 
 from ..declared.frozen import frozen
+from ..declared.parameters import require
 from .deriving.statements import Statement
 from .text.constants import Constant
 from .text.modules import Module
@@ -90,6 +91,10 @@ class LSystem:
     seed: int = 0
     dialect: str = "abop"
     following: tuple = ()
+
+    def __new__(cls, axiom=(), *rest, **named):
+        require(not isinstance(axiom, str), "must be modules, and a text be told to LSystem.parse", axiom, "axiom")
+        return super().__new__(cls)
 
     @classmethod
     def parse(cls, text, constants=None):
