@@ -92,6 +92,9 @@ def resolved(p, value, folder, files):
         return items_resolved(p, value, folder, files)
     if p.type is Operand:
         return operand_resolved(value, folder, files)
+    if p.type is Grammar and isinstance(value, str):
+        growing.read(Grammar.coerced(value))  # so that what is wrong in it is told with what else is
+        return value
     if p.type is Grammar and isinstance(value, dict):
         made, path = grammar(value, folder)
     else:

@@ -126,6 +126,16 @@ contour = { text = "A", font = "none.ttf" }
     assert refusal.value.line == 3 and refusal.value.key == "twist"
 
 
+def test_the_page_shows_what_is_told_of_a_job(tmp_path):
+    text = (
+        START.removeprefix("version = 1\n") + "twist = [1, 2]\n\n[contour]\nkind = 'circle'\nraduis = 0.2\n\n[render]\n"
+    )
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(written(tmp_path, text + "width = 'wide'\n", "broken.toml"))
+    told = str(refusal.value).replace(str(tmp_path / "broken.toml"), "    broken.toml")
+    assert told in (Path(__file__).parents[2] / "docs" / "jobs.md").read_text()
+
+
 def test_of_very_many_mistakes_some_are_told(tmp_path):
     path = written(tmp_path, "kind = 'plant'\n[constants]\n" + "".join(f"c{n} = 'a'\n" for n in range(1000)))
     with pytest.raises(jobs.JobError) as refusal:
@@ -272,6 +282,13 @@ def test_each_mistake_in_a_grammar_is_told_with_the_line_of_the_job(tmp_path):
     assert [line.partition(": expected")[0] for line in beginnings] == [
         f"{tmp_path / 'two.toml'}:2: system: {place}" for place in places
     ]
+
+
+def test_mistakes_beside_that_of_a_grammar_are_told_too(tmp_path):
+    (tmp_path / "job.toml").write_text("kind = 'plant'\nsystem = 'axiom: F['\nstep = 'a'\nagle = 3\n")
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(tmp_path / "job.toml")
+    assert [each.key for each in refusal.value.each()] == ["system", "step", "agle"]
 
 
 def test_a_mistake_in_the_file_of_a_grammar_is_told_with_its_name(tmp_path):
