@@ -113,8 +113,7 @@ class MovingPlane:
         labels = self.swept(points, tolerance)
         for dome in self.way.domes:
             labels = joined(labels, in_dome(dome, self.region, points, tolerance, self.is_sheet))
-        for tip in self.tips:
-            labels[(labels != IN) & (norms(points - tip) <= tolerance)] = ON
+        labels[self.at_tips(points, tolerance)] = TOUCHED
         return np.where(labels == TOUCHED, ON, labels) if self.is_sheet else labels
 
     @cached_property
@@ -124,6 +123,10 @@ class MovingPlane:
             return np.zeros((0, 3))
         at = self.way.carried(self.way.breaks[[0, -1]])
         return at.middle[np.abs(at.scales).max(axis=1) <= NOTHING * self.widest]
+
+    def at_tips(self, points, tolerance):
+        """Whether points (n, 3) are at the tips: (n,) bool."""
+        return (norms(points[:, None] - self.tips) <= tolerance).any(axis=1)
 
     def distance(self, points):
         """How far points (n, 3) are from the boundary, or a fair part of that, negative inside, or less: (n,)."""
@@ -165,7 +168,7 @@ class MovingPlane:
 
     def is_thin(self, points, tolerance):
         """Whether a contour that moves on is at points (n, 3) within a tolerance, so that some inside is: (n,) bool."""
-        boxes, found = self.hash(tolerance), np.zeros(len(points), dtype=bool)
+        boxes, found = self.hash(tolerance), self.at_tips(points, tolerance)
         point, panel = boxes.pairs(boxes.cells(points))
         which, x = self.planes.hits(points[point], panel, tolerance)
         point, panel = point[which], panel[which]
