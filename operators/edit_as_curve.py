@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turn a contour, body, trajectory or direction that is numbers into a curve object that can be edited."""
+"""Turn a contour, body, trajectory or direction that is numbers into a curve object that can be edited; go to one."""
 
+import bpy
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
@@ -21,7 +22,7 @@ EDITABLE = {
 
 
 class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
-    """Make a curve object of the contour, trajectory, direction or body, which the sweep then follows"""
+    """Make a curve of the contour, trajectory, direction or body, which the sweep then follows; edit what is a curve"""
 
     bl_idname = "object.sweep_edit_as_curve"
     bl_label = "Edit as Curve"
@@ -41,8 +42,7 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
             return {"CANCELLED"}
         curve = objects.inputs(ob.data).get(self.parameter)
         if curve:
-            self.report({"ERROR"}, f"The {self.parameter} is the object {curve.name!r} already: edit that")
-            return {"CANCELLED"}
+            return self.go_to(context, curve)
         made = [self.parameter]
         if self.parameter == "direction" and "trajectory" not in objects.inputs(ob.data):
             made.insert(0, "trajectory")
@@ -57,6 +57,23 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
             return {"CANCELLED"}
         for name, curve in zip(made, drawn, strict=True):
             objects.use(ob, name, objects.link(context, curve))
+        return {"FINISHED"}
+
+    def go_to(self, context, ob):
+        """Edit an object that is the parameter already, and which is hard to click where the sweep lies round it."""
+        sentence = f"The {self.parameter} is the object {ob.name!r}"
+        if ob.library or ob.data.library:
+            self.report({"ERROR"}, f"{sentence}, which is linked from another file: make it local to edit it")
+            return {"CANCELLED"}
+        if not ob.visible_get():
+            self.report({"ERROR"}, f"{sentence}, which is not visible: show it to edit it")
+            return {"CANCELLED"}
+        bpy.ops.object.mode_set(mode="OBJECT")
+        for other in context.selected_objects:
+            other.select_set(False)
+        ob.select_set(True)
+        context.view_layer.objects.active = ob
+        bpy.ops.object.mode_set(mode="EDIT")
         return {"FINISHED"}
 
 

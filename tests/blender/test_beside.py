@@ -144,8 +144,8 @@ def test_a_direction_becomes_a_guide_and_the_axes_stay(scene, name):
     assert np.abs(sw.from_object(ob).bend(model) - shape.bend(model)).max() < tolerance
     guide = objects.inputs(ob.data)["direction"]
     assert guide.parent == objects.inputs(ob.data)["trajectory"]
-    with pytest.raises(RuntimeError, match="The direction is the object 'solid Direction' already"):
-        bpy.ops.object.sweep_edit_as_curve(parameter="direction")
+    bpy.ops.object.sweep_edit_as_curve(parameter="direction")
+    assert bpy.context.active_object == guide and guide.mode == "EDIT"
 
 
 def test_meshes_are_bent_along_the_active_sweep(scene):

@@ -104,8 +104,6 @@ def test_contour_of_a_shape_without_a_path_becomes_the_curve_that_carries_it(pla
     assert ob.parent == group.contour_object and ob.parent.parent == parent and ob.data.sweep.error == ""
     assert apart(before, surface(ob)) < 1e-5 * max(ob.dimensions)
     select(ob)
-    with pytest.raises(RuntimeError, match="The contour is the object '.*' already: edit that"):
-        bpy.ops.object.sweep_edit_as_curve(parameter="contour")
     with pytest.raises(RuntimeError, match="sweep has no trajectory"):
         bpy.ops.object.sweep_edit_as_curve(parameter="trajectory")
 
@@ -144,16 +142,27 @@ def test_keyframes_of_other_parameters_stay(scene):
     assert ob.data.animation_data.action
 
 
-def test_what_is_a_curve_already_is_not_made_one_again(scene):
-    """It would leave one of its splines, and the first curve without its sweep."""
+def test_what_is_a_curve_already_is_edited_and_not_made_one_again(scene):
+    """Another would leave one of its splines, and the first curve without its sweep."""
     path = curve("POLY", [(0, 0, 0), (0, 0, 2)], [(5, 0, 0), (5, 0, 2)])
     ob = sweep(trajectory=path)
     select(ob)
     before = set(bpy.data.objects)
-    with pytest.raises(RuntimeError, match="The trajectory is the object 'curve' already: edit that"):
-        bpy.ops.object.sweep_edit_as_curve(parameter="trajectory")
+    assert bpy.ops.object.sweep_edit_as_curve(parameter="trajectory") == {"FINISHED"}
+    assert bpy.context.active_object == path and path.mode == "EDIT" and bpy.context.selected_objects == [path]
+    bpy.ops.object.mode_set(mode="OBJECT")
     assert set(bpy.data.objects) == before and parameters_of(ob).trajectory_object == path
     assert extent(ob) == pytest.approx((6, 1, 2))
+
+
+def test_a_curve_that_is_hidden_is_not_edited(scene):
+    path = straight()
+    ob = sweep(trajectory=path)
+    path.hide_set(True)
+    select(ob)
+    with pytest.raises(RuntimeError, match="The trajectory is the object 'path', which is not visible: show it"):
+        bpy.ops.object.sweep_edit_as_curve(parameter="trajectory")
+    assert bpy.context.active_object == ob and bpy.context.mode == "OBJECT"
 
 
 def test_twins_that_share_the_mesh_stay_in_their_places(scene):
