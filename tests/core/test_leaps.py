@@ -19,6 +19,7 @@ from sweep_addon.core.trajectories import Bezier, Formula, Helix, Polyline, Samp
 EXACT = Frenet(Continuation.EXACT)
 TURNING = Formula("u", "u^3", "0", start=-1.0, end=1.0)
 EIGHT = Formula("sin(u)", "sin(2*u)", "0", start=0.0, end=2 * pi)  # it bends the other way at its start and halfway
+PEANUT = Formula("(1 + 0.5*cos(2*u))*cos(u)", "(1 + 0.5*cos(2*u))*sin(u)", "0", start=0.0, end=2 * pi)  # bends in twice
 HANDLE = 4 / 3 * (sqrt(2) - 1)  # of a quarter of a circle
 TWO_PLANES = Bezier(
     [(1, 0, 0), (1, HANDLE, 0), (HANDLE, 1, 0), (0, 1, 0), (-HANDLE, 1, 0), (-1, 1, 1 - HANDLE), (-1, 1, 1)]
@@ -80,6 +81,28 @@ def test_side_of_a_frame_does_not_hang_on_how_many_contours_there_are(kind, fram
         bar = GeneralizedCylinder(beside, path, Count(count), frame)
         labels = classify(bar, bar.mesh().vertices, tolerance=1e-4)
         assert (labels >= 0).all() and (labels == 0).mean() > 0.9  # a few are in, where the path bends too sharply
+
+
+@pytest.mark.parametrize("trajectory, bodies", [(TURNING, 2), (PEANUT, 4)])
+def test_solid_of_a_bar_beside_its_path_is_in_parts_on_both_sides_of_it(trajectory, bodies):
+    """Pappus, for each part: the bar is inwards of every bend, so that all turns of the tangent count alike."""
+    pytest.importorskip("manifold3d")
+    bar = GeneralizedCylinder(Outline([box((0.02, 0.0), (0.08, 0.05))]), trajectory, Tolerance(1e-5), EXACT)
+    tangents = trajectory.tangents(np.linspace(*trajectory.domain, 100_001))
+    turns = np.arcsin(np.linalg.norm(np.cross(tangents[1:], tangents[:-1]), axis=1)).sum()
+    solid = bar.solid()
+    assert solid.volume() == pytest.approx(0.06 * 0.05 * (trajectory.length() - 0.05 * turns), rel=3e-4)
+    assert len(solid.boundary_edges()) == len(solid.non_manifold_edges()) == 0
+    assert solid.euler_characteristic() == 2 * bodies
+
+
+def test_solid_of_a_bar_that_crosses_its_path_is_one_where_it_leaps():
+    pytest.importorskip("manifold3d")
+    bar = GeneralizedCylinder(Outline([box((-0.02, 0.0), (0.08, 0.05))]), TURNING, Count(41), EXACT)
+    parts = []
+    solid = bar.solid(parts.append)
+    assert solid.euler_characteristic() == 2 and len(solid.boundary_edges()) == 0
+    assert parts == sorted(parts) and 0 < parts[-1] <= 1
 
 
 def test_where_no_frame_leaps_there_is_nothing():

@@ -6,13 +6,18 @@ from dataclasses import replace
 
 from ..meshes.booleans import union
 from ..self_intersection.places import Places
+from .across_leaps import across_leaps, leaping
 from .resolve import closed, resolved
 
 
 def along_a_trajectory(shape, progress=None):
     """The solid of a shape whose rings stand along a trajectory."""
     surface = replace(shape, make_solid=False)
-    return once(resolved(surface.mesh(), progress, lambda: bool(surface.self_intersections())))
+    mesh = surface.mesh()
+    before = leaping(surface, mesh)
+    if len(before):
+        return once(across_leaps(mesh, before, progress))
+    return once(resolved(mesh, progress, lambda: bool(surface.self_intersections())))
 
 
 def about_an_axis(shape, progress=None):
