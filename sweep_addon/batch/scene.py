@@ -50,9 +50,11 @@ def compose(job, name, frame=0):
     return ob
 
 
-def lacking(ob):
-    """What is to be told of an object that shows nothing: sentences for people."""
-    return (EMPTY,) if trees.is_tree(ob) and trees.is_empty(ob) else ()
+def told(ob):
+    """What is to be told of an object, as that it shows nothing: sentences for people."""
+    if trees.is_tree(ob):
+        return (EMPTY,) if trees.is_empty(ob) else ()
+    return tuple(ob.data.sweep.told.splitlines())
 
 
 def empty():

@@ -47,11 +47,11 @@ def build(told):
 
     with pointing_at(job):
         composed = scene.compose(job, job.path.stem)
-    missing = scene.lacking(composed)
+    made = scene.told(composed)
     tell(f"writing {output.name}")
     save_model(output)
     say(output)
-    warn(job.path, (*meeting(job.shape).told, *missing))
+    warn(job.path, meeting(job.shape).in_place_of(made))
     return 0
 
 

@@ -88,6 +88,16 @@ def test_check_says_what_people_should_know(tmp_path, capsys):
     assert capsys.readouterr().err.startswith(f"{told}: Frame: the trajectory is straight and has no Frenet frame")
 
 
+def test_build_says_what_people_should_know(scene, tmp_path, capsys):
+    job = tmp_path / "nothing.toml"
+    job.write_text("kind = 'plant'\nsystem = 'axiom: A'\n")
+    assert main(["check", str(job)]) == 0
+    checked = capsys.readouterr().err
+    assert checked.startswith(f"{job}: The word draws nothing: ")
+    assert main(["build", str(job), "--output", str(job.with_suffix(".stl"))]) == 0
+    assert capsys.readouterr().err == checked
+
+
 def test_check_says_where_a_sweep_meets_itself(tmp_path, capsys):
     crossing = tmp_path / "crossing.toml"
     bend = sw.trajectories.Arc(radius=0.3)
