@@ -102,10 +102,15 @@ def or_mended(read, ob, depsgraph, scale):
     were imported, the outline around what they fill."""
     try:
         return read(ob, depsgraph, scale)
-    except ShapeError:
+    except ShapeError as refusal:
         with suppress(ShapeError):  # of what cannot be mended: the first refusal is the one that says why
             return filled.mended_outline([path * scale for path in as_shown(ob, depsgraph, filled.drawn_paths)])
-        raise
+        raise refusal.changed(of_a_contour) from None
+
+
+def of_a_contour(refusal):
+    """A refusal of the trajectory that a spline is read as: whoever draws a contour knows of none."""
+    return refusal.sentence, "" if refusal.key == "trajectory" else refusal.key
 
 
 def as_shown(ob, depsgraph, read):

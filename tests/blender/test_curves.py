@@ -246,6 +246,12 @@ def test_a_drawing_whose_splines_slip_is_the_outline_of_what_it_shows(scene):
         assert section.area == pytest.approx(0.75, abs=1e-3)
 
 
+def test_a_spline_that_goes_there_and_back_is_refused_as_what_it_is(scene):
+    ob = curve("BEZIER", np.reshape([((0, 0, 0),) * 3, ((1, 0, 0),) * 3], (-1, 9)), use_cyclic_u=True)
+    with pytest.raises(ShapeError, match="^must not turn back on itself, got a reversal at u = 0"):
+        curves.outline(ob)
+
+
 def test_curve_of_a_trajectory_is_that_trajectory(scene):
     """There and back: Blender's points stay within a thousandth of the length of where the trajectory is."""
     corner = trajectories.Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
