@@ -11,6 +11,7 @@ from mathutils import Matrix
 from ..core.csg import Placed, SweptSolid, Tree
 from ..core.csg.meshes import closed_mesh
 from ..core.declared.parameters import ShapeError, at, spelled
+from ..core.resolving import OPEN
 from ..core.shapes.kinds import SHAPES
 from ..core.solids import Triangles
 from . import meshes, objects, operands, sharp_edges, solvers, trees
@@ -83,7 +84,9 @@ class Grove:
         if hasattr(operand, "sweep"):
             operand = operand.sweep()
         if isinstance(operand, SHAPES):
-            return self.linked(objects.new_mesh(solid(operand), name))
+            ob = self.linked(objects.new_mesh(solid(operand), name))
+            require_closed(ob.data)
+            return ob
         return self.mesh_object(operand.mesh(), name)
 
     def tree(self, tree, name):
@@ -145,6 +148,14 @@ def solid(shape):
     if hasattr(type(shape), "__dataclass_fields__") and "make_solid" in type(shape).__dataclass_fields__:
         return replace(shape, make_solid=True) if shape.self_intersections() else shape
     return shape
+
+
+def require_closed(mesh):
+    """Refuse a mesh of which an edge has not two faces: solvers take it, and leave something that is no solid."""
+    edges = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("edge_index", edges)
+    if (np.bincount(edges, minlength=len(mesh.edges)) != 2).any():
+        raise ShapeError(OPEN)
 
 
 def kind(operand):

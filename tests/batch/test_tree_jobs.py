@@ -44,6 +44,25 @@ def test_check_makes_the_mesh_of_a_tree_and_points_at_a_line(job, tmp_path, caps
     assert capsys.readouterr().err.startswith(f"{wrong}:{line}: steps.1.operation: must be one of union, ")
 
 
+OPEN = """kind = "tree"
+[[steps]]
+operation = "difference"
+[steps.operand]
+kind = "generalized-cylinder"
+trajectory = "line"
+end = "open"
+"""
+
+
+def test_build_refuses_the_open_operand_that_check_refuses(scene, tmp_path, capsys):
+    job = tmp_path / "open.toml"
+    job.write_text(OPEN)
+    told = f"{job}:4: steps.1.operand: A solid needs a closed contour and closed ends, got an open surface\n"
+    assert main(["check", str(job)]) == 2 and capsys.readouterr().err == told
+    assert main(["build", str(job), "--output", str(tmp_path / "open.stl")]) == 2 and capsys.readouterr().err == told
+    assert not (tmp_path / "open.stl").exists()
+
+
 @pytest.mark.parametrize("node", ["tree", "placed", "swept-solid", "rigid-motion"])
 def test_nodes_of_trees_are_described(node, capsys):
     assert main(["describe", node]) == 0

@@ -12,6 +12,7 @@ given to a boolean as it is. What comes near nothing is not given to it at all, 
 from ..declared.parameters import parameter
 
 MEETING = "Self-Intersection"
+OPEN = "A solid needs a closed contour and closed ends, got an open surface"
 
 
 def solid_option():

@@ -7,6 +7,7 @@ import numpy as np
 from ..declared.parameters import ShapeError, require
 from ..meshes.booleans import arrays, united
 from ..vectors import dot, unit
+from . import OPEN
 from .assembling import United, joined_at_cuts, joined_at_rims
 from .conflicts import chunks
 from .filling import Fillings
@@ -100,7 +101,7 @@ def closed(mesh):
     uses = np.bincount(mesh.topology.corner_edges, minlength=len(mesh.topology.edges))
     points = np.bincount(mesh.corners, minlength=len(mesh.vertices))
     if not (len(uses) and (uses == 2).all() and points.all()):
-        raise ShapeError("A solid needs a closed contour and closed ends, got an open surface")
+        raise ShapeError(OPEN)
     return mesh
 
 
