@@ -6,6 +6,7 @@ A trajectory carries the radius and the tilt of the curve's points; the contour 
 """
 
 from contextlib import suppress
+from functools import lru_cache
 
 import bpy
 import numpy as np
@@ -148,6 +149,7 @@ def spline_parts(splines):
     return loops, lines, points
 
 
+@lru_cache(maxsize=256)  # while a parameter is dragged, the curve stays
 def flattened(trajectory):
     """Points (n, 2) within a thousandth of a spline's size, that keep its joints and turn too little for an edge."""
     measure = arc_length(trajectory)
@@ -157,7 +159,9 @@ def flattened(trajectory):
         return np.linalg.norm(bend(trajectory, u), axis=1) / GENTLE
 
     tolerance = Tolerance(max(size / 1000, 1e-9))
-    return place(trajectory, tolerance, measure.at(trajectory.joints()), turning).points[:, :2]
+    points = place(trajectory, tolerance, measure.at(trajectory.joints()), turning).points[:, :2].copy()
+    points.flags.writeable = False
+    return points
 
 
 def spline_trajectory(spline, closed):

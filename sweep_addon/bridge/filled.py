@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What texts fill, whose letters may overlap as in many fonts, and drawings whose splines cross a little."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from ..core.contours import Outline, reading
@@ -29,12 +31,31 @@ def straight(spline):
 
 def around_letters(paths):
     """The outline around what paths fill; a letter that turns back on itself, or runs into another, may do so."""
-    return reading.outline(paths, np.zeros(len(paths), dtype=int), [False], tolerance=0.0, centred=False)
+    return made_once(united, *told(paths))
 
 
 def mended_outline(paths):
     """The outline of paths that cross and touch by less than can be seen; refuses those that cross more."""
     require(paths, "must be splines that are cyclic", 0)
+    return made_once(without_slips, *told(paths))
+
+
+def told(paths):
+    """Paths as values that can be compared: their numbers, and how many cubics each has."""
+    return np.concatenate(paths).tobytes(), tuple(map(len, paths))
+
+
+@lru_cache(maxsize=16)  # while a parameter is dragged, the curve stays
+def made_once(make, numbers, counts):
+    control = np.frombuffer(numbers).reshape(-1, 4, 2)
+    return make(np.split(control, np.cumsum(counts)[:-1]))
+
+
+def united(paths):
+    return reading.outline(paths, np.zeros(len(paths), dtype=int), [False], tolerance=0.0, centred=False)
+
+
+def without_slips(paths):
     control = np.concatenate(paths)
     require(np.isfinite(control).all(), "must have finite numbers", "others")
     size = np.ptp(control[:, 0], axis=0).max()

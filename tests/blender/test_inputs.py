@@ -11,7 +11,8 @@ from mathutils import Matrix
 from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text
 
 import sweep_addon as sw
-from sweep_addon.bridge import objects
+from sweep_addon.bridge import curves, objects
+from sweep_addon.core.contours import reading
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 
 
@@ -144,6 +145,20 @@ def test_text_is_a_contour_and_is_followed(scene):
     update()
     assert extent(ob)[0] == pytest.approx(letters.dimensions.x, rel=1e-2)
     assert extent(ob)[0] > 2.5 * width
+
+
+@pytest.mark.parametrize("kind", ["curve", "text"])
+def test_a_contour_that_stays_is_flattened_once(scene, monkeypatch, kind):
+    """A drawing of many curves takes ten times as long as all else that a slider asks for."""
+    bpy.ops.curve.primitive_bezier_circle_add(radius=0.7)
+    ob = sweep(contour=text("S!") if kind == "text" else bpy.context.active_object)
+    asked = []
+    for module, name in ((curves, "place"), (reading, "flatten_cubics")):
+        function = getattr(module, name)
+        monkeypatch.setattr(module, name, lambda *given, function=function: asked.append(given) or function(*given))
+    for turn in (1.0, 2.0):
+        parameters_of(ob).twist_constant_value = turn
+    assert not asked and ob.data.sweep.error == ""
 
 
 def test_contour_that_is_not_cyclic_is_closed(scene):
