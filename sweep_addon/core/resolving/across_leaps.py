@@ -5,21 +5,28 @@
 import numpy as np
 
 from ..meshes.booleans import union
-from ..stations.frames import Frenet
+from ..stations import sampling
+from ..stations.frames import axes
 from ..stations.leaps import leaps
 from ..vectors import dot
 from .of_rings import solid_of_rings
 from .resolve import closed
 from .rings import Rings
 
+FAR = np.cos(np.radians(45))  # a contour that turns less at once has faces that do not cross each other
+
 
 def leaping(shape, mesh):
-    """The rings of a sweep's mesh right before its frame leaps to the next: (k,) rising int array."""
+    """The rings of a mesh right before the frame of its sweep leaps farther than `FAR`: (k,) rising int array."""
     frame = getattr(shape, "frame", None)
-    if not isinstance(frame, Frenet):
+    found = leaps(frame, shape.trajectory)
+    if not len(found):
         return np.zeros(0, dtype=int)
-    before = leaps(frame, shape.trajectory)[:, 0]
-    return np.unique(np.abs(mesh.chart.s - before[:, None]).argmin(axis=1))
+    before = np.abs(mesh.chart.s - found[:, :1]).argmin(axis=1)
+    stations = sampling.stations(shape.trajectory, np.unique(np.append(0.0, found)))
+    e2, e3, _ = axes(frame, stations, np.zeros(len(stations.s)))
+    here, there = np.searchsorted(stations.s, found.T)
+    return np.unique(before[(dot(e2[here], e2[there]) + dot(e3[here], e3[there])) < 2 * FAR])
 
 
 def across_leaps(mesh, before, progress=None):

@@ -35,6 +35,7 @@ enclosing, halfway = later("core.rings.enclosing", "enclosing", "halfway")
 Grid = later("core.grids.grid", "Grid")
 Mesh, require_few = later("core.meshes.mesh", "Mesh", "require_few")
 leaned = later("core.rings.mitres", "leaned")
+leaps = later("core.stations.leaps", "leaps")
 folds_told, running_backward = later("core.self_intersection.folds", "folds_told", "running_backward")
 mitred, told_backward = later("core.rings.steps", "mitred", "told_backward")
 arc_length = later("core.trajectories.arc_length", "arc_length")
@@ -367,9 +368,12 @@ def farthest(section, change):
 
 
 def creases(stations, along, before):
-    """The rings where a mitre, or a morph, turns so much that it is an edge; some stand before the first station."""
+    """The rings where a mitre, morph or frame turns so much that it is an edge; some stand before the first station."""
     turn = dot(stations.arrive[stations.corners], stations.leave[stations.corners])
     edges = stations.corners[turn < CREASE]
+    leaping = leaps(along.frame, along.trajectory)
+    if len(leaping):
+        edges = np.union1d(edges, np.abs(stations.s - leaping.reshape(-1, 1)).argmin(axis=1))
     if along.change:
         met = along.change.creases(stations.total, along.largest)
         edges = np.union1d(edges, np.abs(stations.t - met[:, None]).argmin(axis=1))

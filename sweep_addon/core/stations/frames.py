@@ -250,6 +250,7 @@ def turn(frame, trajectory):
         angles = np.append(angles, angles[0] - holonomy)
     steps = wrapped(np.diff(angles), tau / 2)
     steps[np.abs(steps) > JUMP] = 0.0
+    steps[placed.corners - 1] = 0.0  # of a closed trajectory the last one leads to the first corner
     return s, np.concatenate(([0.0], np.cumsum(steps)))
 
 

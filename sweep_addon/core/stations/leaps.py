@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Leaps: where a Frenet frame turns at once, at an inflection or where the trajectory begins to bend another way."""
+"""Leaps: where a frame turns at once, as Frenet's at an inflection, and a level one at a corner that climbs."""
 
 from functools import lru_cache
 from math import tau
@@ -8,21 +8,23 @@ from math import tau
 import numpy as np
 
 from . import sampling
-from .frames import JUMP, PLACES, SHORT, Continuation, evenly, rotation_minimizing
+from .frames import JUMP, PLACES, SHORT, Continuation, FixedUp, Frenet, evenly, rotation_minimizing
 from .rotations import wrapped
 
+SEEN = 1e-3  # radians: a frame that turns less at a corner wrings nothing that could be seen
 PARTS = 16  # of a step with a leap, which is looked for in each: single precision still tells their ends apart
 
 
 @lru_cache(maxsize=16)
 def leaps(frame, trajectory):
-    """Arc lengths right before and right behind each place where a Frenet frame turns at once.
+    """Arc lengths right before and right behind each place where a frame turns at once.
 
     Contours must stand at both: between others the mesh would wring itself from one to the next, through its own axis.
+    A level frame does so at corners alone, where contours stand anyway.
 
     Parameters
     ----------
-    frame : Frenet
+    frame : Frenet, FixedUp or any other, which leaps nowhere
     trajectory : Trajectory
 
     Returns
@@ -39,6 +41,10 @@ def leaps(frame, trajectory):
     >>> bool(leap[0] < turning.length() / 2 < leap[1]), leaps(Frenet(), turning).tolist()
     (True, [])
     """
+    if isinstance(frame, FixedUp):
+        return at_corners(frame, trajectory)
+    if not isinstance(frame, Frenet):
+        return np.zeros((0, 2))
     s, placed = evenly(trajectory)
     total = s[-1]
     straight = SHORT * total / PLACES
@@ -49,6 +55,21 @@ def leaps(frame, trajectory):
         placed = sampling.stations(trajectory, closer[:-1] if trajectory.closed else closer)
         found = leaping(frame, placed, straight)
     return np.where(found < total, found, found - total)
+
+
+def at_corners(frame, trajectory):
+    """Arc lengths right before corners where a frame turns at once, and of these: (k, 2)."""
+    s, placed = evenly(trajectory)
+    corners = placed.s[placed.corners]
+    room = np.diff(corners, prepend=corners[-1:] - s[-1] if trajectory.closed else 0.0)
+    before = corners - np.minimum(s[-1] / (PLACES * PARTS), room / 2)
+    before = np.where(before < 0, before + s[-1], before)
+    around = sampling.stations(trajectory, np.unique(np.concatenate(([0.0], before, corners))))
+    normals, holonomy = rotation_minimizing(around)
+    angles = frame.angles(around, normals, holonomy, 1)[0]
+    turn = angles[np.searchsorted(around.s, corners)] - angles[np.searchsorted(around.s, before)]
+    turn -= np.where(before > corners, -holonomy, 0.0)
+    return np.stack((before, corners), axis=1)[np.abs(wrapped(turn)) > SEEN]
 
 
 def leaping(frame, placed, straight):

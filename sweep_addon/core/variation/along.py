@@ -13,7 +13,7 @@ from ..declared.frozen import frozen
 from ..declared.parameters import LARGEST, ShapeError, at, require
 from ..rings.ends import Taper
 from ..stations.cells import WIDEST_TURN
-from ..stations.frames import Frenet, turn
+from ..stations.frames import turn
 from ..stations.leaps import leaps
 from ..stations.search import highest
 from ..trajectories.arc_length import arc_length
@@ -112,8 +112,7 @@ class Along:
             marks.extend(arc_length(self.trajectory).at(self.trajectory.joints()))
         if self.change is not None:
             marks.extend(self.change.places * total)
-        if isinstance(self.frame, Frenet):
-            marks.extend(leaps(self.frame, self.trajectory).ravel())
+        marks.extend(leaps(self.frame, self.trajectory).ravel())
         if not self.is_constant:
             points = np.sort(np.concatenate(([0.0], self.crossings(), self.touches(), [total])))
             flat = np.abs(self.at(points)[0]) <= NOTHING * self.largest
