@@ -11,6 +11,7 @@ from test_translational_sweep import star
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.rings import caps
 from sweep_addon.core.rings.parting import parted
 from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
 from sweep_addon.core.stations.sampling import Count, Tolerance
@@ -362,3 +363,30 @@ def test_contour_across_the_axis_meets_itself_there(angle, crossing, places):
     assert len(found) == places
     assert all(place.point[0] == -0.3 and place.point[2] == 0 for place in found)
     assert len(RotationalSweep().self_intersections()) == 0
+
+
+@pytest.mark.parametrize("angle", [0.5, 2.0, -4.0, 6.0])
+def test_both_ends_of_a_contour_with_a_hole_across_the_axis_share_no_edge_on_it(angle):
+    """Signed volume by Pappus, chords included: what is right of the axis less what is left of it."""
+    outer, hole = [(-0.4, -0.4), (0.5, -0.4), (0.5, 0.4), (-0.4, 0.4)], [(-0.2, -0.1), (0.2, -0.1), (0.1, 0.2)]
+    mesh = RotationalSweep(Outline([outer, hole]), angle, samples=Count(25), crossing="keep").mesh()
+    assert len(mesh.non_manifold_edges()) == len(mesh.boundary_edges()) == 0
+    moment = 0.8 * (0.5**2 - 0.4**2) / 2 - 0.06 * 0.1 / 3  # of the areas times their distances from the axis
+    assert mesh.volume() == pytest.approx(24 * np.sin(abs(angle) / 24) * moment, rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_faces_between_points_that_are_kept_apart_fill_the_same_area(seed):
+    random = np.random.default_rng(seed)
+    around = (np.arange(7) + random.uniform(-0.3, 0.3, 7)) * tau / 7
+    outer = random.uniform(0.5, 1, (7, 1)) * np.stack((np.cos(around), np.sin(around)), axis=1)
+    hole = 0.2 * outer[::2] + 0.05
+    sweep = RotationalSweep(Outline([outer, hole]), 2.0, samples=Count(9), crossing="keep")
+    (section,) = sweep.sections()
+    poles = np.flatnonzero(section.points[:, 0] == 0)
+    corners, _ = caps.faces(section, tuple(poles.tolist()))
+    triangles = np.reshape(corners, (-1, 3))
+    a, b, c = section.points[triangles].swapaxes(0, 1)
+    areas = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    assert (areas > 0).all() and areas.sum() == pytest.approx(section.area)
+    assert not (np.isin(triangles, poles).sum(axis=1) > 1).any()

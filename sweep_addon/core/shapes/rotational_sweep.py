@@ -257,7 +257,7 @@ class RotationalSweep(Operand):
             creases=(),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=caps.at_ends((section, section), (self.start, self.end), (self.closed, self.closed)),
+            caps=caps.at_ends((section, section), (self.start, self.end), (self.closed, self.closed), tuple(poles)),
             gaps=tuple(np.union1d(between_poles(section), section.gaps).tolist()),
             poles=tuple(poles),
         )
