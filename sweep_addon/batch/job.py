@@ -24,7 +24,7 @@ from ..core.declared.parameters import (
 )
 from ..core.declared.refusals import MOST, together
 from ..core.shapes.kinds import SHAPE_NAMES
-from .lines import line_of
+from .lines import lines_of
 from .references import resolve, with_references
 
 GRAMMARS = (".l", ".ls", ".lpy", ".lsys")  # how names of files end that are most likely no job
@@ -98,7 +98,7 @@ class JobError(ShapeError):
 
     def __init__(self, error, path, text=None):
         every = [part for refusal in error.each() for part in parted(refusal)]
-        lines = {refusal: line_told(refusal, text) for refusal in every[:MOST]}
+        lines = lines_told(every[:MOST], text)
         first, *others = sorted(lines, key=lambda refusal: lines[refusal] or 0)
         super().__init__(first.sentence, first.key)
         self.path, self.line, self.others, self.__cause__ = path, lines[first], tuple(others), first.__cause__
@@ -113,11 +113,12 @@ def parted(refusal):
     return [ShapeError(str(problem), refusal.key) for problem in problems] or [refusal]
 
 
-def line_told(refusal, text):
-    """The line of a job that a refusal is about, or None."""
-    if refusal.key.startswith("line "):
-        return int(refusal.key.removeprefix("line "))
-    return None if text is None else line_of(text, refusal.key)
+def lines_told(refusals, text):
+    """The line of a job that each of some refusals is about, or None."""
+    keys = [refusal.key for refusal in refusals]
+    if all(key.startswith("line ") for key in keys):  # of a text that is no TOML
+        return {refusal: int(refusal.key.removeprefix("line ")) for refusal in refusals}
+    return dict(zip(refusals, lines_of(text, keys) if text is not None else [None] * len(keys), strict=True))
 
 
 def placed(path, line, refusal):

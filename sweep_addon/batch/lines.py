@@ -3,19 +3,19 @@
 """Lines: where in a TOML text a key is set, so that a refusal can point at it."""
 
 import re
-from itertools import takewhile
 
 KEY = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 KEYS = rf"{KEY}(?:[ \t]*\.[ \t]*{KEY})*"
 HEADER = re.compile(rf"\s*\[\[?\s*({KEYS})\s*\]\]?\s*$")
 SETTING = re.compile(rf"\s*({KEYS})\s*=")
+ITSELF = ""  # behind the path of what a line sets; without it, of what a line sets something in
 TEXTS = re.compile(
     r'"""(?:\\.|[^\\])*?"""|' + r"'''.*?'''|" + r'"(?:\\.|[^"\\\n])*"|' + r"'[^'\n]*'|#[^\n]*", re.DOTALL | re.ASCII
 )
 
 
 def line_of(text, key):
-    """The number of the line that sets a key, or else the table it belongs to, or 1.
+    """The number of the line that sets a key, or else the table it belongs to, or something in it, or 1.
 
     The text must be valid TOML.
 
@@ -24,21 +24,39 @@ def line_of(text, key):
     >>> line_of("[[steps]]\\n[[steps]]\\n[steps.operand]\\nradius = 2", "steps.2.operand.radius")
     4
     """
+    return lines_of(text, [key])[0]
+
+
+def lines_of(text, keys):
+    """The lines of several keys, as `line_of` has them, for which the text is gone through once."""
+    lines = {}
+    for number, path in paths(text):
+        lines.setdefault((*path, ITSELF), number)
+        for length in range(1, len(path)):
+            lines.setdefault(tuple(path[:length]), number)
+    return [nearest(lines, key) for key in keys]
+
+
+def nearest(lines, key):
+    """The line of a key, or of the most of it that has one."""
     wanted = [re.sub(r"[^\w-]", "_", part.strip("\"'")) for part in key.split(".")]  # as in a text that is blanked
-    header, depth, best, length, counts = [], 0, 1, (0, 0), {}
-    for number, line in enumerate(TEXTS.sub(blank, text).split("\n"), 1):
-        found, path = None, header
-        if depth == 0:
-            found = HEADER.match(line) or SETTING.match(line)
-            if found:
-                path = opened(found, counts) if found.re is HEADER else header + names(found[1])
-                header = path if found.re is HEADER else header
+    for length in range(len(wanted), 0, -1):
+        found = lines.get((*wanted[:length], ITSELF)) or lines.get(tuple(wanted[:length]))
         if found:
-            shared = sum(1 for _ in takewhile(lambda parts: parts[0] == parts[1], zip(path, wanted, strict=False)))
-            if shared and (shared, shared - len(path)) > length:  # as much of the key as there is, and little else
-                best, length = number, (shared, shared - len(path))
+            return found
+    return 1
+
+
+def paths(text):
+    """Yield each line that opens a table or sets a key, by its number, and the path of that."""
+    header, depth, counts = [], 0, {}
+    for number, line in enumerate(TEXTS.sub(blank, text).split("\n"), 1):
+        found = (HEADER.match(line) or SETTING.match(line)) if depth == 0 else None
+        if found:
+            path = opened(found, counts) if found.re is HEADER else header + names(found[1])
+            header = path if found.re is HEADER else header
+            yield number, path
         depth += sum(map(line.count, "[{")) - sum(map(line.count, "]}"))
-    return best
 
 
 def opened(header, counts):

@@ -6,7 +6,8 @@ import tomllib
 
 import pytest
 
-from sweep_addon.batch.lines import line_of
+from sweep_addon.batch import lines
+from sweep_addon.batch.lines import line_of, lines_of
 
 TEXT = '''version = 1  # kind = "no"
 kind = "tube"
@@ -60,3 +61,11 @@ x = 1
 def test_the_line_that_sets_a_key(key, line):
     tomllib.loads(TEXT)
     assert line_of(TEXT, key) == line
+
+
+def test_lines_of_several_keys_take_no_longer_than_that_of_one(monkeypatch):
+    """A job of a million lines with twenty mistakes would take minutes."""
+    gone_through, paths = [], lines.paths
+    monkeypatch.setattr(lines, "paths", lambda text: gone_through.append(text) or paths(text))
+    assert lines_of(TEXT, ["contour.radius", "kind", "missing", "samples"]) == [16, 2, 1, 11]
+    assert gone_through == [TEXT]
