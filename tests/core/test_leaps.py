@@ -139,3 +139,21 @@ def test_legs_of_a_climbing_handrail_stay_level_up_to_their_mitres(closed, sampl
 
 def test_level_frame_leaps_at_no_corner_of_a_level_path():
     assert leaps(FixedUp(), Polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0)])).shape == (0, 2)
+
+
+BEGUN_AT_AN_INFLECTION = Formula(
+    "(1 + 0.5*cos(2*(u + 1.2735449654736897)))*cos(u + 1.2735449654736897)",
+    "(1 + 0.5*cos(2*(u + 1.2735449654736897)))*sin(u + 1.2735449654736897)",
+    "0",
+    start=0.0,
+    end=2 * pi,
+)
+
+
+@pytest.mark.parametrize("fit, error", [("area-true", 5e-5), ("inscribed", 3e-3), ("circumscribed", 0.05)])
+@pytest.mark.parametrize("trajectory", [PEANUT, BEGUN_AT_AN_INFLECTION])
+def test_fits_have_nothing_to_make_up_for_where_a_frame_leaps(trajectory, fit, error):
+    """Weyl: area times length. A bar that half a turn maps to itself is as large as with a frame that leaps nowhere."""
+    bar = GeneralizedCylinder(Rectangle(0.1, 0.05), trajectory, Tolerance(1e-3), EXACT, fit=fit)
+    assert bar.mesh().volume() == pytest.approx(0.1 * 0.05 * trajectory.length(), rel=error)
+    assert not bar.self_intersections()

@@ -18,7 +18,7 @@ AT_HAND = 2**14  # points of a block
 RESERVE = 1.05  # a chord is farthest from its curve near the middle of the step, where it is measured
 
 
-def enclosing(stations, rings, true, section, scales, turn):
+def enclosing(stations, rings, true, section, scales, turn, leaping):
     """Rings whose mesh contains the true sweep, but for steps that end in a tip.
 
     Parameters
@@ -34,6 +34,8 @@ def enclosing(stations, rings, true, section, scales, turn):
         The lesser of the two scales at each station, 0 where the contour is a point.
     turn : float
         The angle in radians by which a closed sweep comes back turned: one that maps the contour to itself.
+    leaping : (n - 1,) or (n,) bool array
+        Which steps are within leaps of the frame, where there is nothing to contain.
 
     Returns
     -------
@@ -60,7 +62,7 @@ def enclosing(stations, rings, true, section, scales, turn):
     middle = (rings[:, starts] + later(stations, rings, turn)) / 2
     true[1] *= np.sign(np.einsum("ij,ij->", true[1], middle[1]))  # the section may be seen in a mirror
     pointed = (scales[starts] == 0) | (scales[stations.onward] == 0)
-    exact = pointed | steps_on_bevels(stations)
+    exact = pointed | steps_on_bevels(stations) | leaping
     moved = rings + halves(stations, np.where(exact[:, None], 0.0, true - middle), turn)
 
     after = later(stations, moved, turn)

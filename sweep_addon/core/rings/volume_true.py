@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..contours.fit import Fit
+from ..stations.leaps import leaping_steps
 from ..stations.rotations import turned
 from ..vectors import cross, dot, norms, unit
 from .bevels import fanned
@@ -57,8 +58,9 @@ def volume_true(stations, rings, along, centroid, turn, reach):
     """
     rings = np.stack(rings)
     aside, x, y = rings
-    places = stations.points + outward(stations, aside + centroid[0] * x + centroid[1] * y)
-    before, after = chords(stations, places)
+    leaping = leaping_steps(along.frame, stations)
+    places = stations.points + outward(stations, aside + centroid[0] * x + centroid[1] * y, leaping)
+    before, after = chords(stations, places, leaping)
     bevels, fans = fanned(stations, rings)
     bisectors = unit(before + after)
     rings = np.stack([turned(part, stations.tangent, bisectors) for part in rings])
@@ -71,23 +73,32 @@ def volume_true(stations, rings, along, centroid, turn, reach):
     return rings
 
 
-def chords(stations, places):
+def chords(stations, places, leaping):
     """Unit vectors along the legs before and after each place: two (n, 3).
 
-    An end is a mitre of its leg with the mirror image of that behind the plane of the end.
+    An end is a mitre of its leg with the mirror image of that behind the plane of the end. A step within a leap is no
+    leg: those at both its sides meet there.
     """
     legs = unit(stations.steps(places))
     if stations.closed:
-        return np.roll(legs, 1, axis=0), legs
-    ends, tangents = legs[[0, -1]], stations.tangent[[0, -1]]
-    mirrored = 2 * dot(ends, tangents)[:, None] * tangents - ends
-    return np.concatenate((mirrored[:1], legs)), np.concatenate((legs, mirrored[1:]))
+        before, after = np.roll(legs, 1, axis=0), legs
+    else:
+        ends, tangents = legs[[0, -1]], stations.tangent[[0, -1]]
+        mirrored = 2 * dot(ends, tangents)[:, None] * tangents - ends
+        before, after = np.concatenate((mirrored[:1], legs)), np.concatenate((legs, mirrored[1:]))
+    start, end = np.flatnonzero(leaping), stations.onward[leaping]
+    for _ in range(2 if len(start) else 0):  # a contour may stand within a leap
+        after[start], before[end] = after[end], before[start]
+    return before, after
 
 
-def outward(stations, centres):
-    """How the stations move, (n, 3), so that the path of the centroid becomes as long as it is along the true curve."""
+def outward(stations, centres, leaping):
+    """How the stations move, (n, 3), so that the path of the centroid becomes as long as it is along the true curve.
+
+    Those at both sides of a leap move as one.
+    """
     require_short(stations, Fit.AREA_TRUE)
-    before, after = chords(stations, stations.points)
+    before, after = chords(stations, stations.points, leaping)
     turn = after - before
     sine = norms(turn)
     away = -turn / np.where(sine, sine, 1.0)[:, None]
@@ -97,7 +108,10 @@ def outward(stations, centres):
     inside = -dot(centres, away) * 2 * (np.tan(half) - half)
     inside[stations.corners] = 0.0
     move = np.divide(share + inside, sine, out=np.zeros_like(share), where=sine > 0)
-    return np.clip(move, -most, most)[:, None] * away
+    moves = np.clip(move, -most, most)[:, None] * away
+    pairs = np.stack((np.flatnonzero(leaping), stations.onward[leaping]))
+    moves[pairs] = moves[pairs].mean(axis=0)
+    return moves
 
 
 def lacking(stations, before, after):

@@ -35,7 +35,7 @@ enclosing, halfway = later("core.rings.enclosing", "enclosing", "halfway")
 Grid = later("core.grids.grid", "Grid")
 Mesh, require_few = later("core.meshes.mesh", "Mesh", "require_few")
 leaned = later("core.rings.mitres", "leaned")
-leaps = later("core.stations.leaps", "leaps")
+leaps, leaping_steps = later("core.stations.leaps", "leaps", "leaping_steps")
 folds_told, running_backward = later("core.self_intersection.folds", "folds_told", "running_backward")
 mitred, told_backward = later("core.rings.steps", "mitred", "told_backward")
 arc_length = later("core.trajectories.arc_length", "arc_length")
@@ -209,7 +209,8 @@ class GeneralizedCylinder(Operand):
         if self.fit is Fit.CIRCUMSCRIBED:
             true = halfway(stations, along.rails or self.frame, along, symmetry)
             least = np.where(body.tips, 0.0, np.abs(body.scales).min(axis=1))
-            rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry)
+            leaping = leaping_steps(along.frame, stations)
+            rings, shape = enclosing(stations, rings, true, body.section, least, tau * sectors / symmetry, leaping)
         rings, points, u, s = with_domes(domes, stations, rings, body)
         change, scale = body.change, np.abs(body.scales[~body.tips] if body.tips.any() else body.scales).mean(axis=0)
         if change:

@@ -57,6 +57,15 @@ def leaps(frame, trajectory):
     return np.where(found < total, found, found - total)
 
 
+def leaping_steps(frame, stations):
+    """Which steps from one station to the next are within a leap: (n - 1,) or (n,) bool."""
+    start, close = stations.s[stations.starts, None], 2 * sampling.SHORTEST_STEP * stations.total
+    before, after = leaps(frame, stations.trajectory).T - close
+    within = (start >= before) & (start < after)
+    round_the_seam = (before > after) & ((start >= before) | (start < after))
+    return (within | round_the_seam).any(axis=1)
+
+
 def at_corners(frame, trajectory):
     """Arc lengths right before corners where a frame turns at once, and of these: (k, 2)."""
     s, placed = evenly(trajectory)
