@@ -155,7 +155,7 @@ def table(results, required):
     total = sum((r.counts for r in results), Counts())
     if missing and required:
         total += Counts(failed=len(missing))
-        print("\n*** SWEEP_REQUIRE_BLENDER=1: a host that could not run counts as a failure.")
+        print("\n*** A host that was to run and could not counts as a failure.")
     print(f"\n{total.passed} passed, {total.failed} failed, {total.skipped} skipped")
     sys.stdout.flush()
     return not total.failed
