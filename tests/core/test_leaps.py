@@ -11,7 +11,7 @@ from solids import box
 from sweep_addon import classify
 from sweep_addon.core.contours import Outline, Rectangle
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
-from sweep_addon.core.stations.frames import Continuation, FixedUp, Frenet
+from sweep_addon.core.stations.frames import Continuation, FixedUp, Frenet, RotationMinimizing
 from sweep_addon.core.stations.leaps import leaps
 from sweep_addon.core.stations.sampling import Count, Tolerance
 from sweep_addon.core.trajectories import Bezier, Formula, Helix, Polyline, Sampled
@@ -157,3 +157,14 @@ def test_fits_have_nothing_to_make_up_for_where_a_frame_leaps(trajectory, fit, e
     bar = GeneralizedCylinder(Rectangle(0.1, 0.05), trajectory, Tolerance(1e-3), EXACT, fit=fit)
     assert bar.mesh().volume() == pytest.approx(0.1 * 0.05 * trajectory.length(), rel=error)
     assert not bar.self_intersections()
+
+
+@pytest.mark.parametrize("power", [3, 5, 7, 9])
+def test_bar_is_not_wrung_over_a_stretch_that_is_nearly_straight(power):
+    """A frame that changes its side does so amid it: with one that turns nowhere the bar is as large."""
+    path = Formula("u", f"u^{power}", "0", start=-1.0, end=1.0)
+    exact, smooth = (
+        GeneralizedCylinder(Rectangle(0.1, 0.05), path, Count(41), frame).mesh().volume()
+        for frame in (EXACT, RotationMinimizing())
+    )
+    assert exact == pytest.approx(smooth, rel=3e-4)

@@ -31,7 +31,8 @@ __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMini
 PLACES = 2049  # where it is looked at how a frame turns, from each of which to the next it is continued
 JUMP = tau / 8  # from one of them to the next: no number of contours would make that smooth
 TIE = 1e-6  # radians: where planes of two bends are square to each other, rounding must not choose the side
-SHORT = 4  # of them: over a longer stretch without a normal a frame turns evenly
+SHORT = 4  # of them: over a longer stretch without a normal a frame turns evenly,
+LONGER = 205  # one that changes its side if it is longer than this, a tenth of the length
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
 
@@ -334,24 +335,49 @@ def continued(frame, trajectory):
     period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
     if placed.closed:
         angles = np.append(angles, angles[-1] + nearest(angles[0] - holonomy - angles[-1], period))
-    s, angles = leaping_at_once(s, angles, defined, placed.closed)
+    s, angles = leaping_at_once(s, angles, defined, frame, placed.closed)
     return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips), True
 
 
-def leaping_at_once(s, angles, defined, closed):
-    """Places and angles (n,) with each leap at its end, so that what has no angle itself is not found halfway round."""
+def leaping_at_once(s, angles, defined, frame, closed):
+    """Places and angles (n,) with each leap in one place, so that what has no angle itself is not found halfway round.
+
+    That is where the next angle is or, where there are places without one before that, in the middle of these.
+    """
     at = np.flatnonzero(defined)
     known, lap = angles[at], len(angles) - 1
     if closed:
         grown = angles[-1] - angles[0]
-        at, known = np.append(at, at[0] + lap), np.append(known, known[0] + grown)
-        at, known = np.insert(at, 0, at[-2] - lap), np.insert(known, 0, known[-2] - grown)
-    leap = np.append((np.abs(np.diff(known)) > JUMP) & (np.diff(at) <= SHORT), False)
-    here = np.arange(lap + 1)
-    before = np.maximum(np.searchsorted(at, here, side="right") - 1, 0)
-    angles = np.where(leap[before], known[before], angles)
-    ended = np.flatnonzero(leap[:-1] & (at[1:] >= 0) & (at[1:] <= lap))
-    return np.insert(s, at[ended + 1], s[at[ended + 1]]), np.insert(angles, at[ended + 1], known[ended])
+        at, known = (
+            np.concatenate((each[-1:] - once, each, each[:1] + once)) for each, once in ((at, lap), (known, grown))
+        )
+    place, steps = once_round(s, at), np.diff(at)
+    leap = np.append((np.abs(np.diff(known)) > JUMP) & (np.diff(place) <= s[-1] * shortly(frame) / PLACES), False)
+    there = np.append(np.where(steps > 1, amid(s, at[:-1], at[1:]), place[1:]), np.inf)
+    before = np.maximum(np.searchsorted(at, np.arange(lap + 1), side="right") - 1, 0)
+    after = np.minimum(before + 1, len(at) - 1)
+    within = leap[before] & (place[before] < s)
+    angles = np.where(within, np.where(s < there[before], known[before], known[after]), angles)
+    here = np.flatnonzero(leap & (there >= 0) & (there <= s[-1]))
+    index = np.repeat(np.searchsorted(s, there[here]), 2)
+    both = np.stack((known[here], known[here + 1]), axis=1).ravel()
+    return np.insert(s, index, np.repeat(there[here], 2)), np.insert(angles, index, both)
+
+
+def amid(s, before, after):
+    """The middle of the places between some and others: (k,)."""
+    return (once_round(s, before + 1) + once_round(s, after - 1)) / 2
+
+
+def once_round(s, which):
+    """Arc lengths of places, of which those beyond the ends are as far beyond once round: (k,)."""
+    lap = len(s) - 1
+    return np.where(which == lap, s[-1], s[which % lap] + which // lap * s[-1])
+
+
+def shortly(frame):
+    """How many places a path may be straight where a frame leaps, and does not turn evenly."""
+    return SHORT if frame.keeps_its_side else LONGER
 
 
 def along_path(frame, stations, found, defined):

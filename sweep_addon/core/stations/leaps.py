@@ -8,7 +8,19 @@ from math import tau
 import numpy as np
 
 from . import sampling
-from .frames import JUMP, PLACES, SHORT, Continuation, FixedUp, Frenet, evenly, rotation_minimizing
+from .frames import (
+    JUMP,
+    PLACES,
+    SHORT,
+    Continuation,
+    FixedUp,
+    Frenet,
+    amid,
+    evenly,
+    once_round,
+    rotation_minimizing,
+    shortly,
+)
 from .rotations import wrapped
 
 SEEN = 1e-3  # radians: a frame that turns less at a corner wrings nothing that could be seen
@@ -47,13 +59,16 @@ def leaps(frame, trajectory):
         return np.zeros((0, 2))
     s, placed = evenly(trajectory)
     total = s[-1]
-    straight = SHORT * total / PLACES
-    found = leaping(frame, placed, straight)
+    before, after = leaping(frame, placed, total * shortly(frame) / PLACES)
+    next_to = after == before + 1
+    straight = amid(s, before[~next_to], after[~next_to])[:, None] + np.array([-0.5, 0.5]) * total / (PLACES * PARTS)
+    found = np.stack((s[before[next_to]], s[before[next_to] + 1]), axis=1)
     if len(found):
-        closer = np.linspace(*found.T, PARTS + 1).ravel()
-        closer = np.unique(np.concatenate(([0.0, total], np.where(closer < total, closer, closer - total))))
+        closer = np.unique(np.concatenate(([0.0, total], np.linspace(*found.T, PARTS + 1).ravel())))
         placed = sampling.stations(trajectory, closer[:-1] if trajectory.closed else closer)
-        found = leaping(frame, placed, straight)
+        before, after = leaping(frame, placed, SHORT * total / PLACES)
+        found = np.stack((closer[before], once_round(closer, after)), axis=1)
+    found = np.concatenate((found, straight))
     return np.where(found < total, found, found - total)
 
 
@@ -82,15 +97,16 @@ def at_corners(frame, trajectory):
 
 
 def leaping(frame, placed, straight):
-    """The arc lengths of stations from which a frame leaps to the next that has a normal, and of these: (k, 2).
+    """The stations from which a frame leaps to the next that has a normal, and these, once round: two (k,) int.
 
     Between two that are farther apart than what is told to be straight it turns evenly.
     """
     normals, holonomy = rotation_minimizing(placed)
     angles, curved = frame.towards(placed, normals)
-    at, angles = placed.s[curved], angles[curved]
-    if placed.closed and len(at):
-        at, angles = np.append(at, at[0] + placed.total), np.append(angles, angles[0] - holonomy)
+    here, angles = np.flatnonzero(curved), angles[curved]
+    if placed.closed and len(here):
+        here, angles = np.append(here, here[0] + len(placed.s)), np.append(angles, angles[0] - holonomy)
+    at = once_round(np.append(placed.s, placed.total) if placed.closed else placed.s, here)
     turn = wrapped(np.diff(angles), tau if frame.continuation is Continuation.EXACT else tau / 2)
     leap = (np.abs(turn) > JUMP) & (np.diff(at) <= straight)
-    return np.stack((at[:-1][leap], at[1:][leap]), axis=1)
+    return here[:-1][leap], here[1:][leap]
