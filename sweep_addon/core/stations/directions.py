@@ -18,9 +18,10 @@ from ..trajectories.chain import corner_cutting
 from ..variation.laws import hermite, monotone_slopes
 from ..vectors import dot, norms, unit
 from .cubics import Basis
-from .frames import OfItsPlace, RotationMinimizing, fill
+from .frames import OfItsPlace, RotationMinimizing
 from .sampling import distinct
 
+fill = later("core.stations.continuing", "fill")
 signed_angle = later("core.stations.rotations", "signed_angle")
 highest = later("core.stations.search", "highest")
 arc_length, subdivided = later("core.trajectories.arc_length", "arc_length", "subdivided")

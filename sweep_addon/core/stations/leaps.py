@@ -8,22 +8,11 @@ from math import tau
 import numpy as np
 
 from . import sampling
-from .frames import (
-    JUMP,
-    PLACES,
-    SHORT,
-    Continuation,
-    FixedUp,
-    Frenet,
-    amid,
-    evenly,
-    once_round,
-    rotation_minimizing,
-    shortly,
-)
+from .continuing import PLACES, SHORT, amid, evenly, once_round, shortly
+from .frames import TOO_FAST, Continuation, FixedUp, Frenet, rotation_minimizing
 from .rotations import wrapped
 
-SEEN = 1e-3  # radians: a frame that turns less at a corner wrings nothing that could be seen
+LEAST = 1e-3  # radians: a frame that turns less at a corner wrings nothing that could be seen
 PARTS = 16  # of a step with a leap, which is looked for in each: single precision still tells their ends apart
 
 
@@ -93,7 +82,7 @@ def at_corners(frame, trajectory):
     angles = frame.angles(around, normals, holonomy, 1)[0]
     turn = angles[np.searchsorted(around.s, corners)] - angles[np.searchsorted(around.s, before)]
     turn -= np.where(before > corners, -holonomy, 0.0)
-    return np.stack((before, corners), axis=1)[np.abs(wrapped(turn)) > SEEN]
+    return np.stack((before, corners), axis=1)[np.abs(wrapped(turn)) > LEAST]
 
 
 def leaping(frame, placed, straight):
@@ -108,5 +97,5 @@ def leaping(frame, placed, straight):
         here, angles = np.append(here, here[0] + len(placed.s)), np.append(angles, angles[0] - holonomy)
     at = once_round(np.append(placed.s, placed.total) if placed.closed else placed.s, here)
     turn = wrapped(np.diff(angles), tau if frame.continuation is Continuation.EXACT else tau / 2)
-    leap = (np.abs(turn) > JUMP) & (np.diff(at) <= straight)
+    leap = (np.abs(turn) > TOO_FAST) & (np.diff(at) <= straight)
     return here[:-1][leap], here[1:][leap]

@@ -14,7 +14,8 @@ from ..declared.frozen import frozen
 from ..declared.parameters import ShapeError
 from ..declared.wording import near
 from ..later import later
-from ..stations.frames import OfItsPlace, flipping
+from ..stations.continuing import flipping
+from ..stations.frames import OfItsPlace
 from ..vectors import dot, norms, unit
 from .rail import Guided
 
