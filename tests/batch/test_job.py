@@ -291,6 +291,13 @@ def test_mistakes_beside_that_of_a_grammar_are_told_too(tmp_path):
     assert [each.key for each in refusal.value.each()] == ["system", "step", "agle"]
 
 
+def test_mistakes_beside_that_of_a_grammar_in_a_tree_are_told_too(tmp_path):
+    (tmp_path / "job.toml").write_text("kind = 'tree'\n[base]\nkind = 'plant'\nsystem = 'axiom: F['\nstep = 'a'\n")
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(tmp_path / "job.toml")
+    assert [each.key for each in refusal.value.each()] == ["base.system", "base.step"]
+
+
 def test_a_mistake_in_the_file_of_a_grammar_is_told_with_its_name(tmp_path):
     (tmp_path / "bad.l").write_text("axiom: F\nF -> [\n")
     (tmp_path / "koch.toml").write_text('kind = "plant"\nsystem = { file = "bad.l" }\n')

@@ -89,4 +89,6 @@ class GrammarError(ShapeError):
 
     def inside(self, key):
         """The same refusal, of a text that is at a key of a larger value."""
-        return GrammarError(self.problems, ".".join(filter(None, (key, self.key))))
+        made = GrammarError(self.problems, ".".join(filter(None, (key, self.key))))
+        made.others = tuple(other.inside(key) for other in self.others)
+        return made
