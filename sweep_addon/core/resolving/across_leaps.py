@@ -6,6 +6,7 @@ import numpy as np
 
 from ..meshes.booleans import union
 from ..stations import sampling
+from ..stations.continuing import evenly
 from ..stations.frames import axes
 from ..stations.leaps import leaps
 from ..vectors import dot
@@ -23,7 +24,8 @@ def leaping(shape, mesh):
     if not len(found):
         return np.zeros(0, dtype=int)
     before = np.abs(mesh.chart.s - found[:, :1]).argmin(axis=1)
-    stations = sampling.stations(shape.trajectory, np.unique(np.append(0.0, found)))
+    ends = evenly(shape.trajectory)[1].s[[0, -1]]  # a corner that comes last would be taken for one
+    stations = sampling.stations(shape.trajectory, np.unique(np.append(ends, found)))
     e2, e3, _ = axes(frame, stations, np.zeros(len(stations.s)))
     here, there = np.searchsorted(stations.s, found.T)
     return np.unique(before[(dot(e2[here], e2[there]) + dot(e3[here], e3[there])) < 2 * FAR])

@@ -77,7 +77,8 @@ def at_corners(frame, trajectory):
     room = np.diff(corners, prepend=corners[-1:] - s[-1] if trajectory.closed else 0.0)
     before = corners - np.minimum(s[-1] / (PLACES * PARTS), room / 2)
     before = np.where(before < 0, before + s[-1], before)
-    around = sampling.stations(trajectory, np.unique(np.concatenate(([0.0], before, corners))))
+    ends = placed.s[[0, -1]]  # a corner that comes last would be taken for the end of an open path
+    around = sampling.stations(trajectory, np.unique(np.concatenate((ends, before, corners))))
     normals, holonomy = rotation_minimizing(around)
     angles = frame.angles(around, normals, holonomy, 1)[0]
     turn = angles[np.searchsorted(around.s, corners)] - angles[np.searchsorted(around.s, before)]
