@@ -60,9 +60,12 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
         return {"FINISHED"}
 
     def go_to(self, context, ob):
-        """Edit an object that is the parameter already, and which is hard to click where the sweep lies round it."""
+        """Edit an object that is the parameter already, and which is hard to click where the sweep lies round it.
+
+        An empty has nothing to edit: it is to be moved.
+        """
         sentence = f"The {self.parameter} is the object {ob.name!r}"
-        if ob.library or ob.data.library:
+        if ob.library or ob.data and ob.data.library:
             self.report({"ERROR"}, f"{sentence}, which is linked from another file: make it local to edit it")
             return {"CANCELLED"}
         if not ob.visible_get():
@@ -73,7 +76,8 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
             other.select_set(False)
         ob.select_set(True)
         context.view_layer.objects.active = ob
-        bpy.ops.object.mode_set(mode="EDIT")
+        if ob.data:
+            bpy.ops.object.mode_set(mode="EDIT")
         return {"FINISHED"}
 
 

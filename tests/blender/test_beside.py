@@ -90,6 +90,14 @@ def test_empties_along_the_trajectory_are_arrows(scene):
     assert axis(ends(ob)[1]) == pytest.approx((0, -1, 0), abs=1e-6)
 
 
+def test_an_empty_that_is_the_direction_is_gone_to_and_has_nothing_to_edit(scene):
+    arrow = empty((0.3, 0, 0), (0, np.pi / 2, 0))
+    select(sweep(trajectory=curve("BEZIER", STRAIGHT), direction=arrow))
+    assert bpy.ops.object.sweep_edit_as_curve(parameter="direction") == {"FINISHED"}
+    assert bpy.context.active_object == arrow and bpy.context.selected_objects == [arrow]
+    assert bpy.context.mode == "OBJECT"
+
+
 def test_the_tilt_of_the_curve_is_the_direction_of_a_curve_that_is_swept_first(scene):
     path = curve("BEZIER", STRAIGHT)
     path.data.splines[0].bezier_points[1].tilt = np.pi / 2
