@@ -10,24 +10,36 @@ from . import objects
 def let_stand(meshes):
     """Let the objects of some sweeps go from the inputs that carry them, and stay where they are.
 
-    They are children of what carried the input instead. One that moves by itself keeps them.
+    They are children of what carried the input instead. One that moves by itself keeps them, and keeps those that do.
     """
     for ob in bpy.data.objects:
-        if ob.data in meshes:
+        if ob.data in meshes and not ob.animation_data:
             let_go(ob, set(objects.inputs(ob.data).values()))
 
 
 def let_go(ob, inputs):
     """Take an object out of the space of whichever of some objects carries it."""
-    place, carrier = ob.matrix_world.copy(), ob.parent
+    place = ob.matrix_world.copy()
     constraints = [each for each in ob.constraints if each.type == "CHILD_OF" and is_still(each.target, inputs)]
     for constraint in constraints:
         ob.constraints.remove(constraint)
-    still = is_still(carrier, inputs)
-    if still:
-        ob.parent, ob.parent_type, ob.parent_bone = carrier.parent, carrier.parent_type, carrier.parent_bone
-    if still or constraints:
+    if is_still(ob.parent, inputs):
+        hand_on(ob, ob.parent)
+    if constraints:
         ob.matrix_world = place
+
+
+def hand_on(ob, carrier):
+    """Make a child of an object one of its parent, where it is.
+
+    Where that is their own numbers say: of what is hidden, or in another scene, Blender does not know it.
+    """
+    place = carrier.matrix_basis @ ob.matrix_parent_inverse @ ob.matrix_basis
+    if carrier.parent:
+        place = carrier.matrix_parent_inverse @ place
+    ob.parent, ob.parent_type, ob.parent_bone = carrier.parent, carrier.parent_type, carrier.parent_bone
+    ob.matrix_parent_inverse.identity()
+    ob.matrix_basis = place
 
 
 def is_still(carrier, inputs):

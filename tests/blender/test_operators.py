@@ -258,6 +258,29 @@ def test_what_carried_an_applied_sweep_may_be_deleted_and_nothing_jumps(scene):
         assert tuple(ob.matrix_world.translation) == pytest.approx((5, 2, 1))
 
 
+def test_an_applied_sweep_stays_also_where_it_is_not_seen_or_moves_by_itself(scene):
+    """Of what is hidden, and of other scenes, Blender has no matrices; what has keyframes goes where these say."""
+    path = straight()
+    path.location = (0, 2, 0)
+    select(path)
+    bpy.ops.object.sweep_selected()
+    swept, other = bpy.context.active_object, bpy.data.scenes.new("other")
+    hidden, elsewhere, keyed = (bpy.data.objects.new(name, swept.data) for name in ("hidden", "elsewhere", "keyed"))
+    for ob, place in ((hidden, scene), (elsewhere, other), (keyed, scene)):
+        place.collection.objects.link(ob)
+        ob.parent, ob.location = path, (1, 0, 0)
+    hidden.hide_viewport = True
+    keyed.keyframe_insert("location", frame=1)
+    assert bpy.ops.object.sweep_apply() == {"FINISHED"}
+
+    hidden.hide_viewport = False
+    scene.frame_set(2)
+    other.view_layers[0].update()
+    assert (hidden.parent, elsewhere.parent, keyed.parent) == (None, None, path)
+    for ob in (hidden, elsewhere, keyed):
+        assert tuple(ob.matrix_world.translation) == pytest.approx((1, 2, 0))
+
+
 def copied(ob, form):
     """The text that the operator puts on the clipboard, which there is none of in background."""
     reports, clipboard = [], SimpleNamespace()
