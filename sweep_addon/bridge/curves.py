@@ -86,9 +86,9 @@ def outline(ob, depsgraph=None, scaled=True):
     scale = ob.scale[:2] if scaled else 1.0
     if ob.type == "CURVE":
         return or_mended(closed, ob, depsgraph, scale)
-    letters = as_shown(ob, depsgraph, filled.paths)
+    letters, under = as_shown(ob, depsgraph, filled.letters)
     require(letters, "must be a curve or text with an outline", ob.name)
-    return filled.around_letters([path * scale for path in letters])
+    return filled.around_letters([path * scale for path in letters], under)
 
 
 def closed(ob, depsgraph, scale):

@@ -24,14 +24,23 @@ def drawn_paths(splines):
     return paths(splines) if closed else []
 
 
+def letters(splines):
+    """The splines of a text as paths, and which of them are lines under it: a tuple of 0 and 1."""
+    return paths(splines), tuple(int(spline.type != "BEZIER") for spline in splines)
+
+
 def straight(spline):
     points = coordinates(spline.points, "co", 4)[:, :2]
     return cubics_from_lines(np.stack((points, np.roll(points, -1, axis=0)), axis=1))
 
 
-def around_letters(paths):
-    """The outline around what paths fill; a letter that turns back on itself, or runs into another, may do so."""
-    return made_once(united, *told(paths))
+def around_letters(paths, under):
+    """The outline around what paths fill; a letter that turns back on itself, or runs into another, may do so.
+
+    Lines under a text are filled by themselves: letters of many fonts run round the other way, and would have holes
+    there.
+    """
+    return made_once(united, *told(paths), under)
 
 
 def mended_outline(paths):
@@ -46,17 +55,21 @@ def told(paths):
 
 
 @lru_cache(maxsize=16)  # while a parameter is dragged, the curve stays
-def made_once(make, numbers, counts):
+def made_once(make, numbers, counts, *others):
     control = np.frombuffer(numbers).reshape(-1, 4, 2)
-    return make(np.split(control, np.cumsum(counts)[:-1]))
+    return make(np.split(control, np.cumsum(counts)[:-1]), *others)
 
 
-def united(paths):
-    return reading.outline(paths, np.zeros(len(paths), dtype=int), [False], tolerance=0.0, centred=False)
+def united(paths, under):
+    size = max((extent(path) for path, line in zip(paths, under, strict=True) if not line), default=0.0)
+    return reading.outline(paths, under, [False, False], tolerance=size / 1000, centred=False)
 
 
 def without_slips(paths):
-    control = np.concatenate(paths)
-    require(np.isfinite(control).all(), "must have finite numbers", "others")
-    size = np.ptp(control[:, 0], axis=0).max()
-    return Outline(mended([flatten_cubics(path, max(size / 1000, 1e-9))[0] for path in paths]))
+    require(all(np.isfinite(path).all() for path in paths), "must have finite numbers", "others")
+    return Outline(mended([flatten_cubics(path, max(extent(path) / 1000, 1e-9))[0] for path in paths]))
+
+
+def extent(path):
+    """The size of a letter or a spline: its chords keep within a thousandth of that, however long a text is."""
+    return float(np.ptp(path, axis=(0, 1)).max())

@@ -10,7 +10,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import add, curve, places, text
 
 from sweep_addon import contours, trajectories
-from sweep_addon.bridge import curves, drawn_curves
+from sweep_addon.bridge import curves, drawn_curves, filled
+from sweep_addon.core.contours.flatten import cubics_from_lines
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.core.trajectories.arc_length import arc_length
@@ -231,6 +232,25 @@ def test_letters_that_overlap_or_turn_back_on_themselves_are_an_outline_around_t
     bounds = np.array(ob.bound_box)[:, :2]
     assert section.points.min(axis=0) == pytest.approx(bounds.min(axis=0), abs=1e-3)
     assert section.points.max(axis=0) == pytest.approx(bounds.max(axis=0), abs=1e-3)
+
+
+def test_letters_are_as_smooth_in_a_long_text_as_alone(scene):
+    alone, many = (curves.outline(text(letters)).section() for letters in ("O", "O" * 30))
+    assert many.area == pytest.approx(30 * alone.area, rel=1e-4)
+    assert len(many.points) == 30 * len(alone.points)
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_a_line_under_a_text_fills_what_it_crosses_whichever_way_letters_run(scene, turn):
+    """As those of fonts do: a letter of one square metre, and a line of three by a quarter, a third of it on that."""
+    ob = text("g")
+    ob.data.body_format[0].use_underline = True
+    _, under = curves.as_shown(ob, None, filled.letters)
+    assert under == (0, 0, 0, 1)
+    corners = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    square, line = (np.stack((each, np.roll(each, -1, axis=0)), axis=1) for each in (corners[::turn], corners))
+    crossing = [cubics_from_lines(square), cubics_from_lines(line * (3, 0.25) - (1, -0.5))]
+    assert filled.around_letters(crossing, (0, 1)).section().area == pytest.approx(1.5, rel=1e-6)
 
 
 def test_a_drawing_whose_splines_slip_is_the_outline_of_what_it_shows(scene):
