@@ -156,7 +156,7 @@ def seen(bend, x, y):
     return np.stack([np.einsum("ni,n...i->n...", bend, axis) for axis in (x, y)], axis=-1)
 
 
-def folds_told(stations, aside, x, y, support):
+def folds_told(stations, aside, x, y, support, longest=None):
     """What is told of folds with every change: sentences, of what the stations show.
 
     Parameters
@@ -165,6 +165,8 @@ def folds_told(stations, aside, x, y, support):
     aside, x, y : (n, 3) or (n, k, 3) float array
         As `folding` takes them; all of them across the tangents.
     support : callable
+    longest : float, optional
+        How long the axes are at most, where that is known.
 
     Returns
     -------
@@ -174,7 +176,7 @@ def folds_told(stations, aside, x, y, support):
     if len(stations.corners):
         bend = bend.copy()
         bend[stations.corners] = 0.0  # a corner's bend is no curvature: its mitre is another matter
-    longest = max(summed(norms(axis)).max() for axis in (x, y))
+    longest = longest or max(summed(norms(axis)).max() for axis in (x, y))
     farthest = support(AROUND).max() * np.sqrt(2) * longest + (norms(aside).max() if aside.any() else 0.0)
     bent = np.flatnonzero(norms(bend) * farthest >= 1)
     if not len(bent):

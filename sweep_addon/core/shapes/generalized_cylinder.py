@@ -271,7 +271,8 @@ class GeneralizedCylinder(Operand):
             weighted = (change.weighted(axis, stations.t) for axis in rings[1:])
             told += folds_told(stations, rings[0], *weighted, change.support)
         else:
-            told += folds_told(stations, *rings, getattr(self.contour, "support", section.support))
+            longest = np.abs((scale_x, scale_y)).max()
+            told += folds_told(stations, *rings, getattr(self.contour, "support", section.support), longest)
         if self.fit is Fit.AREA_TRUE:
             rings = volume_true(stations, rings, along, section.centroid, turn, farthest(section, change))
         else:

@@ -213,8 +213,9 @@ def axes(frame, stations, twist, symmetry=1):
         cosine, sine = np.cos(turned_by)[:, None], np.sin(turned_by)[:, None]
         e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
     else:
-        e2, e3 = normals.copy("K"), across.copy("K")  # others keep these
+        e2, e3 = normals, across
     if len(corners):
+        e2, e3 = np.array(e2), np.array(e3)  # others keep what turns least
         e2[corners] = turned(e2[corners], stations.leave[corners], stations.tangent[corners])
         e3[corners] = cross(stations.tangent[corners], e2[corners])
     return e2, e3, told
@@ -270,13 +271,17 @@ def rotation_minimizing(stations):
     reference, angle = carried.at(stations.u, stations.leave)
     start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
     first = signed_angle(reference[:1], start, stations.leave[:1])
-    return rotated(reference, stations.leave, first + angle - angle[0]), carried.holonomy
+    normals = rotated(reference, stations.leave, first + angle - angle[0])
+    normals.flags.writeable = False
+    return normals, carried.holonomy
 
 
 @lru_cache(maxsize=16)
 def binormals(stations):
     """What is across the rotation-minimizing normals and ``stations.leave``: unit vectors, (n, 3)."""
-    return cross(stations.leave, rotation_minimizing(stations)[0])
+    across = cross(stations.leave, rotation_minimizing(stations)[0])
+    across.flags.writeable = False
+    return across
 
 
 def first_normal(tangent):

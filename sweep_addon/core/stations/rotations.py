@@ -37,7 +37,10 @@ def rotated(normals, axis, angle):
     """Turn unit normals about the unit axes they are perpendicular to."""
     if not angle.any():
         return normals.copy("K")
-    return np.cos(angle)[:, None] * normals + np.sin(angle)[:, None] * cross(axis, normals)
+    found, across = np.cos(angle)[:, None] * normals, cross(axis, normals)
+    across *= np.sin(angle)[:, None]
+    found += across
+    return found
 
 
 def wrapped(angle, period=tau):

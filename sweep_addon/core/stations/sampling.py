@@ -102,6 +102,8 @@ class Stations:
         Unit tangents before and after each place; they differ at corners.
     bend : (n, 3) float array
         The curvature vector in 1/m, towards the centre of curvature, a corner's turn spread over its step.
+    corners : (k,) int array
+        The stations where the tangent turns at once.
     total : float
         The length of the whole trajectory in metres.
     """
@@ -113,6 +115,7 @@ class Stations:
     arrive: np.ndarray
     leave: np.ndarray
     bend: np.ndarray
+    corners: np.ndarray
     total: float
 
     @property
@@ -126,13 +129,10 @@ class Stations:
         return self.s / self.total
 
     @cached_property
-    def corners(self):
-        """Indices of the stations where the tangent turns at once: (k,)."""
-        return differing(self.arrive, self.leave)
-
-    @cached_property
     def tangent(self):
         """The unit tangent e1: at a corner the bisector, in whose plane the contour is mitred."""
+        if not len(self.corners):
+            return self.leave
         tangent = self.leave.copy("K")
         tangent[self.corners] = unit(self.arrive[self.corners] + self.leave[self.corners])
         return tangent
@@ -216,7 +216,7 @@ def stations(trajectory, s):
     leave = trajectory.tangents(u, first=first)
     arrive, reached = leave.copy("K"), np.append(trajectory.domain[1], u[1:]) if trajectory.closed else u
     entered = measure.entered(reached)
-    joint = np.isin(reached, joints) | (entered != reached)
+    joint = np.flatnonzero(np.isin(reached, joints) | (entered != reached))
     arrive[joint] = trajectory.tangents(entered[joint], before=True)
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
@@ -225,7 +225,7 @@ def stations(trajectory, s):
         gone = zeros(lost)
         lost[gone] = other[gone]
     bends = bend(trajectory, u, False, first, second)
-    unlike = differing(arrive, leave)
+    unlike = joint[differing(arrive[joint], leave[joint])]
     turn = leave[unlike] - arrive[unlike]
     back = dot(arrive[unlike], leave[unlike]) < SHARPEST
     if back.any():
@@ -237,7 +237,7 @@ def stations(trajectory, s):
     if len(corner):
         bends[corner] += turn[seen] / np.gradient(s)[corner, None]
     arrive[unlike[~seen]] = leave[unlike[~seen]]
-    return Stations(trajectory, u, s, points, arrive, leave, bends, measure.total)
+    return Stations(trajectory, u, s, points, arrive, leave, bends, corner, measure.total)
 
 
 def snapped(u, joints):
