@@ -185,7 +185,11 @@ def write_texture(mesh, chart, known):
         room = Room(layer.data, "vector", 2, SCRATCH.array)
         room.fill(chart.uv(np.float32, room).ravel())
     held = kept(mesh, along, known[1]) if along else ()
-    values = (chart.along(np.float32, held) if along else {}) | (chart.across(np.float32) if across else {})
+    there = {name: mesh.attributes.get(name) for name in NAMES[1] if along and name not in held}
+    rooms = {name: Room(own.data, "value", 1) for name, own in there.items() if is_of(own, "FLOAT", "POINT")}
+    values = chart.along(np.float32, held, rooms) if along else {}
+    values = {name: array for name, array in values.items() if name not in rooms or not rooms[name].holds(array)}
+    values |= chart.across(np.float32) if across else {}
     for name, array in values.items():
         kind = "FLOAT" if array.ndim == 1 else "QUATERNION"
         attribute(mesh, name, kind, "POINT").data.foreach_set("value", array.ravel())

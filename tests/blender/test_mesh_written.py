@@ -15,6 +15,7 @@ from scenes import places
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge import meshes
+from sweep_addon.bridge.own_arrays import MANY
 from sweep_addon.core.meshes.joining import joined
 
 WASHER = sw.contours.Outline(loops=[[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.5, -0.5), (0.5, -0.5), (0, 0.5)]])
@@ -185,6 +186,17 @@ def test_u_is_written_again_where_it_changes_too_and_where_it_was_removed(scene)
     ob.data.attributes.remove(ob.data.attributes["u"])
     group.trajectory_helix_pitch = 0.75
     assert attribute(ob.data, "u", "value", 1).max() == np.float32(6 * np.pi)
+
+
+def test_large_attributes_are_written_in_place_and_a_copy_of_the_mesh_keeps_its_own(scene):
+    """So many vertices that the array is Blender's own, which a copy shares until either is written."""
+    tube = shape(sw.contours.Circle(0.2), HELIX, contours=1 + MANY // 64)
+    mesh = mesh_of(tube)
+    copy, before = mesh.copy(), attribute(mesh, "arc_length", "value", 1)
+    mesh.sweep.generalized_cylinder.trajectory_helix_pitch = 0.75
+    same_as_arrays(mesh, replace(tube, trajectory=sw.trajectories.Helix(pitch=0.75)).mesh(dtype=np.float32))
+    assert (attribute(copy, "arc_length", "value", 1) == before).all()
+    assert (attribute(mesh, "arc_length", "value", 1)[1:] != before[1:]).any()
 
 
 def test_texture_and_attributes_that_are_not_wanted_go_and_come_again(scene):

@@ -3,6 +3,7 @@
 """The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
 
 from functools import cached_property
+from types import MappingProxyType
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from ..meshes.runs import backward, run_of
 from ..vectors import added
 from .grid import Grid
 from .texture import Texture
+
+NONE = MappingProxyType({})
 
 
 @individual
@@ -146,13 +149,16 @@ class Chart:
                 flat = flat + (after, 0)
             yield flat[points].astype(dtype)
 
-    def along(self, dtype=np.float64, but=()):
-        """Values at each vertex that depend on its station: u and arc_length, but for what is named."""
+    def along(self, dtype=np.float64, but=(), rooms=NONE):
+        """Values at each vertex that depend on its station: u and arc_length, but for what is named.
+
+        They are written into what ``rooms`` has for their names, which takes a number of elements and a dtype.
+        """
         if not self.named:
             return {}
         whole, tips = self.grid.whole, list(self.grid.tips)
         return {
-            name: self.spread(values[whole], values[tips], values[0], dtype)
+            name: self.spread(values[whole], values[tips], values[0], dtype, rooms.get(name, np.empty))
             for name, values in (("u", self.u), ("arc_length", self.s))
             if name not in but
         }
@@ -164,11 +170,11 @@ class Chart:
         start, _ = self.columns()
         return {"v": self.spread(start[self.grid.lines, None], 0.0, start[list(self.grid.poles)], dtype)}
 
-    def spread(self, lines, tips, poles, dtype):
+    def spread(self, lines, tips, poles, dtype, empty=np.empty):
         """A value at each vertex, from one for each ring or each column of lines, one at tips and one at poles."""
         shape = len(self.grid.lines), len(self.grid.whole)
         parts = np.cumsum((shape[0] * shape[1], len(self.grid.tips), len(self.grid.poles)))
-        values = np.empty(parts[-1], dtype)
+        values = empty(parts[-1], dtype)
         values[: parts[0]].reshape(shape)[:] = lines
         values[parts[0] : parts[1]], values[parts[1] :] = tips, poles
         return values

@@ -28,7 +28,7 @@ class Charts:
         parts = [chart.uv(dtype) for chart in self.parts]
         return None if parts[0] is None else np.concatenate(parts)
 
-    def along(self, dtype=np.float64, but=()):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         return together([chart.along(dtype, but) for chart in self.parts])
 
     def across(self, dtype=np.float64):

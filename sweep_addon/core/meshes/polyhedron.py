@@ -19,7 +19,7 @@ class Bare:
     def uv(self, dtype=np.float64, empty=np.empty):
         return None
 
-    def along(self, dtype=np.float64):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         return {}
 
     across = along

@@ -38,7 +38,7 @@ class Selected:
         whole = self.chart.uv(dtype)
         return None if whole is None else whole[self.corners]
 
-    def along(self, dtype=np.float64, but=()):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         return {name: values[self.vertices] for name, values in self.chart.along(dtype, but).items()}
 
     def across(self, dtype=np.float64):

@@ -38,7 +38,7 @@ class Held:
     def uv(self, dtype=np.float64, empty=np.empty):
         return None if self.chart.uv(dtype) is None else np.zeros((self.corners, 2), dtype)
 
-    def along(self, dtype=np.float64, but=()):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         return {name: np.zeros(self.vertices, dtype) for name in self.chart.along(dtype, but)}
 
     def across(self, dtype=np.float64):
@@ -64,7 +64,7 @@ class Numbered:
     def uv(self, dtype=np.float64, empty=np.empty):
         return self.chart.uv(dtype, empty)
 
-    def along(self, dtype=np.float64, but=()):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         return self.chart.along(dtype, but)
 
     def across(self, dtype=np.float64):

@@ -178,7 +178,7 @@ class Chart:
             if lengths:
                 cap[..., 0] += (-3 * size if way < 0 else along.take(ring) + size)[:, None]
 
-    def along(self, dtype=np.float64, but=()):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         """Values at each vertex in metres, or by metres: u, arc_length, radius and v, round it, but for some."""
         if not self.named:
             return {}
