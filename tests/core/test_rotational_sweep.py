@@ -390,3 +390,11 @@ def test_faces_between_points_that_are_kept_apart_fill_the_same_area(seed):
     areas = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
     assert (areas > 0).all() and areas.sum() == pytest.approx(section.area)
     assert not (np.isin(triangles, poles).sum(axis=1) > 1).any()
+
+
+def test_ends_share_no_edge_where_a_diagonal_on_the_axis_can_be_flipped_after_others_alone():
+    """The axis crosses the upper side of the hole in its middle, and what is above that is far."""
+    outer = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    hole = [(-0.25, -0.03), (0.06, -0.22), (0.23, -0.68), (-0.3, -0.04)]
+    mesh = RotationalSweep(Outline([outer, hole]), 2.0, samples=Count(9), crossing="keep").mesh()
+    assert len(mesh.non_manifold_edges()) == len(mesh.boundary_edges()) == 0

@@ -40,21 +40,31 @@ def faces(section, apart=()):
 def kept_apart(triangles, points, apart):
     """Triangles (k, 3) of points (m, 2), their diagonals between some of these flipped, and others that are in the way.
 
-    A diagonal can be flipped where the two triangles beside it make a convex quadrilateral. Where they do not, one of
-    their sides is flipped first, which brings another point beside it.
+    A diagonal can be flipped where the two triangles beside it make a convex quadrilateral. Where they do not, the
+    nearest other diagonal is flipped first that can be, which brings other points beside it.
     """
     triangles, tried = [tuple(each) for each in triangles.tolist()], set()
     for _ in range(MOST_FLIPS):
         beside = {(a, b): (n, c) for n, each in enumerate(triangles) for a, b, c in turns(each)}
         wrong = [(a, b) for a, b in beside if a in apart and b in apart and a < b and (b, a) in beside]
-        sides = [side for a, b in wrong for each in ((a, b), (b, a)) for side in turns((*each, beside[each][1]))[1:]]
-        for a, b, *_ in wrong + sides:
-            if {a, b} not in tried and flipped(triangles, beside, (a, b), points, apart):
-                tried.add(frozenset((a, b)))
+        for edge in outward(wrong, beside):
+            if {*edge} not in tried and flipped(triangles, beside, edge, points, apart):
+                tried.add(frozenset(edge))
                 break
         else:
             break
     return np.array(triangles)
+
+
+def outward(edges, beside):
+    """Edges, then the other sides of the triangles beside them, then those of the triangles beside these, each once."""
+    met = set()
+    while edges:
+        yield from edges
+        met.update(map(frozenset, edges))
+        both = [each for a, b in edges for each in ((a, b), (b, a)) if each in beside]
+        sides = (side[:2] for each in both for side in turns((*each, beside[each][1]))[1:])
+        edges = list({frozenset(side): side for side in sides if {*side} not in met}.values())
 
 
 def turns(triangle):
