@@ -104,7 +104,7 @@ class JobError(ShapeError):
         self.path, self.line, self.others, self.__cause__ = path, lines[first], tuple(others), first.__cause__
         sentences = [placed(path, lines[refusal], refusal) for refusal in (first, *others)]
         more = len(every) - len(lines)
-        self.args = ("\n".join(sentences + [f"{path}: and {more} more mistakes"] * (more > 0)),)
+        self.args = ("\n".join(sentences + [f"{path}: and {more} more mistake{'s' * (more > 1)}"] * (more > 0)),)
 
 
 def parted(refusal):
