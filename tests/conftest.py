@@ -9,7 +9,8 @@ library inside the extension, so that no module exists twice. Blender's user fol
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
 A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
 and hypothesis examples. ``SWEEP_BRIEF=1`` says that other hosts do the same at length: then fewer are drawn,
-and tests marked `thorough` are skipped, but for one in ten of those that have so many cases.
+and tests marked `thorough` are skipped, but for one in ten of those that have so many cases. ``SWEEP_FAST=1`` leaves
+out those that slow.txt names, as `scripts/slow_tests` has measured them.
 """
 
 import atexit
@@ -33,6 +34,8 @@ TEMPORARY = "sweep-tests-"  # how the name of a temporary user folder starts
 FULL = os.environ.get("SWEEP_FULL") == "1"
 BRIEF = os.environ.get("SWEEP_BRIEF") == "1" and not FULL
 LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)")
+FAST = os.environ.get("SWEEP_FAST") == "1"
+SLOW = pytest.mark.skip(reason="slow: runs without SWEEP_FAST=1 (scripts/test --fast)")
 KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
 THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python and in the real Blender")
 
@@ -147,6 +150,11 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if not FULL and item.get_closest_marker("large"):
             item.add_marker(LARGE)
+    if FAST:
+        slow = set(Path(__file__).with_name("slow.txt").read_text().split())
+        for item in items:
+            if item.nodeid.partition("[")[0] in slow:
+                item.add_marker(SLOW)
     if BRIEF:
         for item in left_to_others([item for item in items if item.get_closest_marker("thorough")]):
             item.add_marker(THOROUGH)
