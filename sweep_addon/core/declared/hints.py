@@ -11,6 +11,7 @@ from .refusals import ShapeError
 from .wording import named, spelled
 
 MANY = 40  # names that a refusal tells
+FEW = 3  # kinds of which a number says one; of more, as of trajectories, it may be any of many
 MOST_LONGER = 3  # names that a refusal tells of those that somebody may have meant
 LONGEST = 40  # characters of what may be a name with a slip in it
 FIGURES = {  # by the names that people have for them: the kind, and what it is told
@@ -133,7 +134,7 @@ def of_a_number(names, type_):
     """
     kinds = [kind for kind in names.values() if isinstance(kind, type) and hasattr(kind, "__dataclass_fields__")]
     first = [(kind, p.name) for kind in kinds for p in parameters(kind)[:1] if p.type is type_]
-    if len(first) != 1:
+    if len(first) != 1 or len(kinds) > FEW:
         return ""
     [(kind, name)] = first
     return f': say {kind.__name__}({name}=...) or {{ kind = "{spelled(kind)}", {name} = ... }}'
