@@ -133,9 +133,10 @@ def test_legs_of_a_climbing_handrail_stay_level_up_to_their_mitres(closed, sampl
     mesh = rail.mesh()
     assert mesh.volume() == pytest.approx(0.3 * 0.1 * path.length(), rel=3e-5)
     assert not rail.self_intersections()
-    assert rail.solid().volume() == pytest.approx(mesh.volume(), rel=1e-4)
     sharp = rail.swept().chart.grid.creases
     assert len(sharp) == 2 * len(leaps(FixedUp(), path)) == 2 * len(path.corners())
+    pytest.importorskip("manifold3d", reason="a solid across leaps is a union")
+    assert rail.solid().volume() == pytest.approx(mesh.volume(), rel=1e-4)
 
 
 def test_level_frame_leaps_at_no_corner_of_a_level_path():
