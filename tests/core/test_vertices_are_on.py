@@ -87,5 +87,7 @@ def test_vertices_of_cylinders_are_on_them(trajectory, frame, which):
 
 @pytest.mark.parametrize("kind", OTHERS)
 def test_vertices_of_other_sweeps_are_on_them(kind):
+    if kind == "offset":
+        pytest.importorskip("manifold3d", reason="its rounded bodies are united")
     for case in drawn(OTHERS[kind], MORE * DRAWN):
         assert_on(*case)
