@@ -88,7 +88,7 @@ def unit(vectors):
 def is_tuned(config):
     """Whether NumPy, as `numpy.show_config` says in dictionaries, multiplies by a BLAS made for fast processors.
 
-    The one that Blender comes with is built without, and Debian's has the reference.
+    The recipe by which Blender builds its own names none, and Debian's has the reference.
     """
     name = config.get("Build Dependencies", {}).get("blas", {}).get("name", "")  # what is not there is left out
     return any(known in name.lower() for known in ("openblas", "accelerate", "mkl", "blis", "armpl"))
