@@ -44,7 +44,7 @@ def around_letters(paths, under):
 
 
 def mended_outline(paths):
-    """The outline of paths that cross and touch by less than can be seen; refuses those that cross more."""
+    """The outline of paths that cross and touch a little; refuses those that cross more."""
     require(paths, "must be splines that are cyclic", 0)
     return made_once(without_slips, *told(paths))
 

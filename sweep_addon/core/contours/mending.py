@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mending: loops that cross and touch by less than can be seen, as those of drawings do, become loops that do not."""
+"""Mending: loops that cross and touch a little, as those of drawings do, become loops that do not."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from ..meshes.runs import following, run_of
 from .filling import filled
 from .nesting import nesting
 
-SEEN = 1e-3  # of the square of the size: less area than that may count twice, or not at all
+SLIP = 1e-3  # of the square of the size: less area than that may count twice, or not at all; real icons slip so far
 
 
 def mended(loops):
@@ -36,8 +36,8 @@ def mended(loops):
     """
     made = filled(loops, np.zeros(len(loops), dtype=int), np.array([True]))
     given = np.concatenate(loops)
-    slip = abs(enclosed(loops) - enclosed(made)) if made else np.inf
-    return made if slip <= SEEN * np.ptp(given, axis=0).max() ** 2 else []
+    missed = abs(enclosed(loops) - enclosed(made)) if made else np.inf
+    return made if missed <= SLIP * np.ptp(given, axis=0).max() ** 2 else []
 
 
 def enclosed(loops):

@@ -3,7 +3,6 @@
 """The chart of a sweep: texture coordinates and named attributes, from a few numbers for each ring and column."""
 
 from functools import cached_property
-from types import MappingProxyType
 
 import numpy as np
 
@@ -13,8 +12,6 @@ from ..meshes.runs import backward, run_of
 from ..vectors import added
 from .grid import Grid
 from .texture import Texture
-
-NONE = MappingProxyType({})
 
 
 @individual
@@ -149,7 +146,7 @@ class Chart:
                 flat = flat + (after, 0)
             yield flat[points].astype(dtype)
 
-    def along(self, dtype=np.float64, but=(), rooms=NONE):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         """Values at each vertex that depend on its station: u and arc_length, but for what is named.
 
         They are written into what ``rooms`` has for their names, which takes a number of elements and a dtype.
@@ -158,7 +155,7 @@ class Chart:
             return {}
         whole, tips = self.grid.whole, list(self.grid.tips)
         return {
-            name: self.spread(values[whole], values[tips], values[0], dtype, rooms.get(name, np.empty))
+            name: self.spread(values[whole], values[tips], values[0], dtype, (rooms or {}).get(name, np.empty))
             for name, values in (("u", self.u), ("arc_length", self.s))
             if name not in but
         }

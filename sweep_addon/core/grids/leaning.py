@@ -8,7 +8,7 @@ import numpy as np
 
 from ..declared.digest import checksum
 from ..declared.frozen import individual
-from .chart import NONE, Chart, Texture
+from .chart import Chart, Texture
 
 
 @individual
@@ -61,7 +61,7 @@ class Leaning(Chart):
                 sides[:, start - ring : end - ring, corner, 0] = line[:, own][:, start - first : end - first]
         return uv
 
-    def along(self, dtype=np.float64, but=(), rooms=NONE):
+    def along(self, dtype=np.float64, but=(), rooms=None):
         """Values at each vertex that depend on its place along the axis: u and arc_length."""
         values = super().along(dtype, but, rooms)
         own = {"u": self.parameters, "arc_length": self.heights}
