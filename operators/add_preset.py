@@ -2,18 +2,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Add a shape from a preset, which is a job file."""
 
+from functools import cache
+
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 from bpy_extras.object_utils import add_object_align_init, object_data_add
 
-from ..sweep_addon import presets
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.shapes.kinds import SHAPES
 from ..sweep_addon.core.trajectories import Line
 from .add_shape import AddObject
 
-objects = later("bridge.objects")
+objects, presets = later("bridge.objects"), later("presets")
+
+
+def items(operator, context):
+    """The presets, which are not read when Blender starts."""
+    return offered()
+
+
+@cache
+def offered():
+    # Kept: Blender does not hold on to the texts.
+    return [(preset.name.upper(), preset.title, "") for preset in presets.PRESETS]
 
 
 class MESH_OT_sweep_preset_add(Operator, AddObject):
@@ -23,11 +35,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
     bl_label = "Sweep Preset"
     bl_options = {"REGISTER", "UNDO"}
 
-    preset: EnumProperty(
-        name="Preset",
-        description="What to add",
-        items=[(preset.name.upper(), preset.title, "") for preset in presets.PRESETS],
-    )
+    preset: EnumProperty(name="Preset", description="What to add", items=items)
     follow: BoolProperty(
         name="Follow the Active Curve",
         description="Sweep a preset that is straight along the active curve, if that is selected",

@@ -2,20 +2,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The menu of what can be added, in Add > Mesh and in the sidebar, and the line in Object > Convert."""
 
+import os
 from functools import cache
+from pathlib import Path
 
 from bpy.types import Menu
 
 from ..operators.add_shape import idname
 from ..sweep_addon.core.declared.parameters import spelled
-from ..sweep_addon.core.declared.wording import titled
+from ..sweep_addon.core.declared.wording import title, titled
+from ..sweep_addon.core.later import later
 from ..sweep_addon.core.shapes.kinds import SWEEPS, SWEPT
 from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
 from ..sweep_addon.core.shapes.plant import Plant
-from ..sweep_addon.presets import GROWN, PRESETS, title
 from . import previews
 
-GROUPS = tuple(dict.fromkeys(preset.group for preset in PRESETS if preset.group))
+presets = later("presets")
+
+FOLDER = Path(__file__).parents[1] / "sweep_addon" / "presets"
+FOLDERS = {entry.name for entry in os.scandir(FOLDER) if entry.is_dir()}  # what is in them is read for a menu's draw
+GROUPS = sorted(FOLDERS - {"l_system", "__pycache__"})
 ROWS = 20  # presets one below the other: all are in sight on a screen of 900 pixels
 
 
@@ -36,7 +42,8 @@ class VIEW3D_MT_sweep_add(Menu):
         column.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(Plant))
         column = row.column(align=True)
         column.label(text="Presets")
-        for entry in dict.fromkeys(preset.group or preset for preset in PRESETS if preset.group != GROWN):
+        others = (preset for preset in presets.PRESETS if preset.group != presets.GROWN)
+        for entry in dict.fromkeys(preset.group or preset for preset in others):
             if entry in GROUPS:
                 column.menu(menu_name(entry))
             else:
@@ -52,7 +59,7 @@ def menu_of(group):
 
     def draw(self, context):
         self.layout.operator_context = "INVOKE_REGION_WIN"
-        for preset in PRESETS:
+        for preset in presets.PRESETS:
             if preset.group == group:
                 draw_preset(self.layout, preset, title(preset.path.stem))
 
@@ -77,11 +84,12 @@ def grown_menu(name, label, branching):
 
     def draw(self, context):
         self.layout.operator_context = "INVOKE_REGION_WIN"
-        presets = [preset for preset in PRESETS if preset.group == GROWN and branches(preset) == branching]
+        grown = [preset for preset in presets.PRESETS if preset.group == presets.GROWN]
+        offered = [preset for preset in grown if branches(preset) == branching]
         row = self.layout.row()
-        for first in range(0, len(presets), ROWS):
+        for first in range(0, len(offered), ROWS):
             column = row.column(align=True)
-            for preset in presets[first : first + ROWS]:
+            for preset in offered[first : first + ROWS]:
                 draw_preset(column, preset, preset.title)
 
     return type(name, (Menu,), {"bl_idname": name, "bl_label": label, "draw": draw})
@@ -120,7 +128,7 @@ class VIEW3D_MT_sweep_selected(Menu):
 
 
 MENUS = (
-    *(menu_of(group) for group in GROUPS if group != GROWN),
+    *map(menu_of, GROUPS),
     *GROWN_MENUS,
     VIEW3D_MT_sweep_l_system_add,
     VIEW3D_MT_sweep_add,

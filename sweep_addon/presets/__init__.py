@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 
 from ..core.declared.parameters import at, pick
+from ..core.declared.wording import title
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES
 
@@ -19,7 +20,6 @@ shape_of, tables = later("core.declared.forms", "shape_of", "tables")
 FOLDER = Path(__file__).parent
 GROWN = "l_system"  # the folder of presets that are grammars, each a thing of its own
 DIGITS = "0123456789"
-SMALL = {"A", "And", "By", "In", "Of", "On", "The", "To", "With"}  # words that titles do not begin or end with
 
 
 class Preset:
@@ -42,16 +42,6 @@ class Preset:
     @property
     def title(self):
         return title(self.name.removeprefix(f"{GROWN}_"))
-
-
-def title(name):
-    """The name of a preset for people.
-
-    >>> title("tree_of_the_plain"), title("csg_on")
-    ('Tree of the Plain', 'CSG On')
-    """
-    first, *words = name.replace("_", " ").title().replace("Csg", "CSG").split(" ")
-    return " ".join((first, *(word.lower() if word in SMALL else word for word in words[:-1]), *words[-1:]))
 
 
 def found():

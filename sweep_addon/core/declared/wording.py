@@ -19,6 +19,7 @@ UNITS = {"length": "in metres", "angle": "in radians"}
 LIMITS = {"above": -inf, "minimum": -inf, "maximum": inf}
 REFUSED = "ShapeError\n    For any other value."
 WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")  # where a word of a class's name begins
+SMALL = {"A", "And", "By", "In", "Of", "On", "The", "To", "With"}  # words that titles do not begin or end with
 LONGEST = 40  # characters of a default in a docstring; of a longer one only how it starts
 
 
@@ -67,6 +68,16 @@ def titled(kind):
     if isinstance(kind, Enum):
         return spelled(kind, " ").title()
     return getattr(kind, "TITLE", None) or WORDS.sub(" ", kind.__name__)
+
+
+def title(name):
+    """The name of a file or a folder as people read it.
+
+    >>> title("tree_of_the_plain"), title("csg_on")
+    ('Tree of the Plain', 'CSG On')
+    """
+    first, *words = name.replace("_", " ").title().replace("Csg", "CSG").split(" ")
+    return " ".join((first, *(word.lower() if word in SMALL else word for word in words[:-1]), *words[-1:]))
 
 
 def longest(most, columns, items=False):
