@@ -5,8 +5,7 @@
 from bpy.utils import register_classes_factory
 
 from . import (
-    add_preset,
-    add_shape,
+    add,
     apply,
     bend,
     classify,
@@ -15,21 +14,17 @@ from . import (
     convert_to_csg,
     copy_as,
     edit_as_curve,
-    find_self_intersections,
     grammar,
     list_items,
-    make_solid,
-    offset_selected,
-    sweep_selected,
-    tree_steps,
-    whole_trees,
+    selected,
+    self_intersections,
+    trees,
 )
 
 register, unregister = register_classes_factory(
     (
-        *add_shape.OPERATORS,
-        add_preset.MESH_OT_sweep_preset_add,
-        sweep_selected.OBJECT_OT_sweep_selected,
+        *add.OPERATORS,
+        selected.OBJECT_OT_sweep_selected,
         convert.OBJECT_OT_sweep_convert,
         apply.OBJECT_OT_sweep_apply,
         bend.OBJECT_OT_sweep_bend,
@@ -37,14 +32,13 @@ register, unregister = register_classes_factory(
         edit_as_curve.OBJECT_OT_sweep_edit_as_curve,
         list_items.OBJECT_OT_sweep_item_add,
         list_items.OBJECT_OT_sweep_item_remove,
-        find_self_intersections.OBJECT_OT_sweep_find_self_intersections,
-        find_self_intersections.OBJECT_OT_sweep_select_self_intersections,
-        make_solid.OBJECT_OT_sweep_make_solid,
+        self_intersections.OBJECT_OT_sweep_find_self_intersections,
+        self_intersections.OBJECT_OT_sweep_select_self_intersections,
+        self_intersections.OBJECT_OT_sweep_make_solid,
         *grammar.OPERATORS,
-        offset_selected.OBJECT_OT_sweep_offset_selected,
+        selected.OBJECT_OT_sweep_offset_selected,
         *combine.OPERATORS,
-        *tree_steps.OPERATORS,
-        *whole_trees.OPERATORS,
+        *trees.OPERATORS,
         convert_to_csg.OBJECT_OT_sweep_convert_to_csg,
         classify.OBJECT_OT_sweep_classify,
     )

@@ -6,7 +6,7 @@ from bpy.types import Operator
 
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
-from .on_tree import can_change
+from .on_active import can_change
 
 objects, operands, trees = later("bridge.objects"), later("bridge.operands"), later("bridge.trees")
 

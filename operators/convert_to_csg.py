@@ -7,7 +7,7 @@ from bpy.types import Operator
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
-from .on_tree import can_change
+from .on_active import can_change
 
 conversion, objects = later("bridge.conversion"), later("bridge.objects")
 

@@ -8,7 +8,7 @@ from bpy.types import Operator
 
 from ..sweep_addon.core.declared.parameters import ShapeError, parameters, require, spelled
 from ..sweep_addon.core.later import later
-from .on_sweep import OnSweep
+from .on_active import OnSweep
 
 beside, drawn_curves = later("bridge.beside"), later("bridge.drawn_curves")
 objects = later("bridge.objects")

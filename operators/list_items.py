@@ -9,7 +9,7 @@ from ..sweep_addon.bridge import rna
 from ..sweep_addon.core.declared.parameters import ShapeError, parameters
 from ..sweep_addon.core.declared.wording import shown
 from ..sweep_addon.core.later import later
-from .on_sweep import OnSweep
+from .on_active import OnSweep
 
 objects = later("bridge.objects")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from bpy.types import Menu
 
-from ..operators.add_shape import idname
+from ..operators.add import idname
 from ..sweep_addon.core.declared.parameters import spelled
 from ..sweep_addon.core.declared.wording import title, titled
 from ..sweep_addon.core.later import later

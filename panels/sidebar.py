@@ -6,15 +6,14 @@ from typing import get_args
 
 from bpy.types import Panel
 
-from ..operators.add_shape import idname
+from ..operators.add import idname
 from ..operators.convert import is_tube
 from ..operators.edit_as_curve import EDITABLE
-from ..operators.make_solid import OBJECT_OT_sweep_make_solid
+from ..operators.self_intersections import OBJECT_OT_sweep_make_solid
 from ..sweep_addon.core.contours import Contour
+from ..sweep_addon.core.declared.options import MEETING, PREFIX
 from ..sweep_addon.core.declared.parameters import parameters, spelled
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.resolving import MEETING
-from ..sweep_addon.core.self_intersection import PREFIX
 from ..sweep_addon.core.shapes.kinds import CLASSIFICATION
 from ..sweep_addon.core.shapes.plant import Plant
 from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep

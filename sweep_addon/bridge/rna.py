@@ -10,7 +10,7 @@ import json
 import zlib
 from contextlib import contextmanager
 from dataclasses import replace
-from enum import EnumMeta
+from enum import Enum, EnumMeta
 from functools import cache, lru_cache
 from typing import get_origin
 
@@ -111,8 +111,7 @@ def define(p, update, *more):
         return bpy.props.BoolProperty(**common)
     if p.type is str or p.is_list:
         return bpy.props.StringProperty(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
-    items = [item(kind, summary(kind)) for kind in p.kinds] or [item(member, member.value) for member in p.type]
-    return bpy.props.EnumProperty(items=[*items, *more], **common)
+    return bpy.props.EnumProperty(items=[*items_of(p.kinds or p.type), *more], **common)
 
 
 def number(p, common):
@@ -138,9 +137,14 @@ def number(p, common):
 
 
 @cache
-def item(choice, doc):
+def items_of(choices):
+    """The items of some kinds, or of an Enum."""
+    return tuple(map(item, choices))
+
+
+def item(choice):
     """An enum's item. Its number, from the name, is saved in files; keyframes add a half to it in float32: 23 bits."""
-    name = spelled(choice, "_")
+    name, doc = spelled(choice, "_"), choice.value if isinstance(choice, Enum) else summary(choice)
     return name.upper(), titled(choice), doc, zlib.crc32(name.encode()) % 2**23
 
 

@@ -8,10 +8,10 @@ import bmesh
 import bpy
 import numpy as np
 
+from ..core.declared.options import PREFIX
 from ..core.declared.parameters import ShapeError
 from ..core.later import later
 from ..core.meshes import booleans
-from ..core.self_intersection import PREFIX
 from . import objects, trees
 
 crossings = later("bridge.crossings")

@@ -46,7 +46,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     __annotations__ = {
         **{name: bpy.props.PointerProperty(type=group) for name, group in GROUPS.items()},
         "kind": bpy.props.EnumProperty(
-            items=[("NONE", "None", "An ordinary mesh", 0), *(rna.item(s, summary(s)) for s in SHAPES)],
+            items=[("NONE", "None", "An ordinary mesh", 0), *rna.items_of(SHAPES)],
             options=set(),  # not animated: a mesh that is a sweep in some frames only could not say what it is
             update=update,
             name="Shape",

@@ -71,7 +71,12 @@ class Options:
 
     def __setattr__(self, name, value):
         option = self.known.properties[name]
-        assert option.type != "ENUM" or value in option.enum_items
+        assert option.type != "ENUM" or value in (option.enum_items.keys() or self.asked_for(name))
+
+    def asked_for(self, name):
+        """The items that a function gives."""
+        declared = getattr(bpy.types, self.known.identifier).__annotations__[name].keywords["items"]
+        return [item[0] for item in declared(None, bpy.context)]
 
 
 def context_of(ob=None, mode="OBJECT", width=300, others=()):

@@ -16,8 +16,8 @@ from scenes import curve, parameters_of, select, square, straight, sweep, text
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge.rna import ASIDE
+from sweep_addon.core.declared.options import MEETING
 from sweep_addon.core.declared.parameters import inside, parameters, spelled
-from sweep_addon.core.resolving import MEETING
 from sweep_addon.core.shapes.kinds import SHAPES
 from sweep_addon.properties.live import rebuild
 

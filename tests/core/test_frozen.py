@@ -5,13 +5,14 @@
 import copy
 import pprint
 import sys
-from dataclasses import Field, FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+from dataclasses import Field, FrozenInstanceError, dataclass, fields, is_dataclass, replace
 
 import pytest
 
+from sweep_addon.core.contours import Circle
 from sweep_addon.core.declared import frozen as module
 from sweep_addon.core.declared.frozen import frozen, individual
-from sweep_addon.core.declared.parameters import parameters
+from sweep_addon.core.declared.parameters import declared, length, parameters
 from sweep_addon.core.shapes.kinds import SHAPES
 
 
@@ -23,7 +24,7 @@ def made(decorator):
         """A place"""
 
         x: float
-        y: float = field(default=1.0, metadata={"unit": "length"})
+        y: float = 1.0
         name = "no field"
 
     @decorator
@@ -55,7 +56,15 @@ def test_fields_are_those_that_dataclass_makes(decorator, place):
 @pytest.mark.parametrize("shape", SHAPES)
 def test_a_declared_shape_is_a_dataclass(shape):
     assert is_dataclass(shape)
-    assert [each.name for each in fields(shape)] == [p.name for p in parameters(shape)]
+    found = {each.name: each for each in fields(shape)}
+    assert list(found) == [p.name for p in parameters(shape)]
+    assert all(found[p.name].type == p.type and found[p.name].metadata["doc"] == p.doc for p in parameters(shape))
+
+
+def test_fields_carry_what_their_declaration_says():
+    radius, points = fields(Circle)
+    assert dict(radius.metadata) == {"doc": "Distance of the points from the centre", "unit": "length", "above": 0.0}
+    assert (radius.default, points.default, points.metadata["minimum"]) == (Circle.radius, Circle.points, 3)
 
 
 def test_the_standard_library_copies_replaces_and_prints_them():
@@ -70,6 +79,15 @@ def test_the_standard_library_copies_replaces_and_prints_them():
 
 
 def test_without_the_private_mark_dataclass_makes_them(monkeypatch):
-    ours = made(frozen)[1]
+    ours = said(made(frozen)[1])
     monkeypatch.setattr(module, "MARK", None)
-    assert said(made(frozen)[1]) == said(ours)
+    assert said(made(frozen)[1]) == ours
+
+    @declared
+    class Place:
+        """A place"""
+
+        x: float = length(1.0, "How far")
+
+    assert fields(Place)[0].metadata == {"doc": "How far", "unit": "length", "above": 0.0}
+    assert Place(2).x == 2.0

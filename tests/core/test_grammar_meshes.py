@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sweep_addon.core.declared.options import Texture
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import Budget, LSystem
-from sweep_addon.core.grids.texture import Texture
 from sweep_addon.core.shapes.plant import Plant
 
 PLANT = "#angle 22.5\naxiom: X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\n"

@@ -8,8 +8,8 @@ from solids import GLYPHS, TEAPOT_INNER, TEAPOT_OUTER, assert_solid
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.declared.forms import dump, load
+from sweep_addon.core.declared.options import Texture
 from sweep_addon.core.declared.parameters import ShapeError
-from sweep_addon.core.grids.chart import Texture
 from sweep_addon.core.rings.corners import Round
 from sweep_addon.core.rings.cutting import ONCE
 from sweep_addon.core.rings.limits import Flat, Open, Plane

@@ -10,8 +10,8 @@ import pytest
 
 import sweep_addon as sw
 from sweep_addon.core.declared.forms import python_source
+from sweep_addon.core.declared.options import Texture
 from sweep_addon.core.declared.parameters import ShapeError
-from sweep_addon.core.grids.texture import Texture
 from sweep_addon.core.shapes import growing
 
 TREE = """#define r 0.7     # 0.5 .. 0.9 how much shorter a branch is

@@ -5,8 +5,8 @@
 import numpy as np
 
 from ..declared.parameters import count, declared, length
+from ..declared.refusals import require_broad
 from ..later import later
-from .breadth import require_broad
 
 Section = later("core.contours.section", "Section")
 

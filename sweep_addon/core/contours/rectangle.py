@@ -5,8 +5,8 @@
 import numpy as np
 
 from ..declared.parameters import count, declared, length, parameter, require
+from ..declared.refusals import require_broad
 from ..later import later
-from .breadth import require_broad
 
 rounded, rounded_apexes = later("core.contours.rounding", "rounded", "rounded_apexes")
 Section = later("core.contours.section", "Section")

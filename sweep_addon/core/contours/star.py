@@ -7,8 +7,8 @@ from math import pi, sin
 import numpy as np
 
 from ..declared.parameters import count, declared, length
+from ..declared.refusals import require_broad
 from ..later import later
-from .breadth import require_broad
 
 Section = later("core.contours.section", "Section")
 

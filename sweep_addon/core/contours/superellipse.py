@@ -8,8 +8,8 @@ from math import gamma
 import numpy as np
 
 from ..declared.parameters import count, declared, length, parameter
+from ..declared.refusals import require_broad
 from ..later import later
-from .breadth import require_broad
 
 sections = later("core.contours.section")
 

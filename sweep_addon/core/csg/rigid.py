@@ -3,8 +3,7 @@
 """Rigid motions: how a solid moves that neither stretches nor bends on the way."""
 
 from ..declared.parameters import angle, declared, parameter
-from ..stations.frames import FixedUp, Frenet, RotationMinimizing
-from ..stations.parallel import Parallel
+from ..stations.frames import FixedUp, Frenet, Parallel, RotationMinimizing
 from ..trajectories import Arc, Trajectory
 from ..variation.laws import Law
 

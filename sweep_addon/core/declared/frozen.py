@@ -6,7 +6,7 @@
 nothing. In Python 3.14 that takes a third of a millisecond, and enabling the extension makes seventy of them.
 """
 
-from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
+from dataclasses import MISSING, FrozenInstanceError, dataclass, field
 from functools import cache
 from inspect import Parameter, Signature
 from typing import dataclass_transform
@@ -31,12 +31,12 @@ def by_value(cls):
     return cls
 
 
-def unchanging(cls, init):
-    """The class as a dataclass whose fields only ``init`` sets."""
+def unchanging(cls, init, said=None):
+    """The class as a dataclass whose fields only ``init`` sets; what is said of some is the metadata of theirs."""
     cls.__init__, cls.__setattr__, cls.__delattr__ = init, refuse, refuse
     if "__repr__" not in vars(cls):
         cls.__repr__ = written
-    cls = described(cls) if MARK else dataclass(**NOTHING)(cls)
+    cls = described(cls, said or {}) if MARK else dataclass(**NOTHING)(with_fields(cls, said or {}))
     cls.__signature__ = WhenAsked(signature)
     return cls
 
@@ -55,18 +55,40 @@ SHARED = {name: vars(Pattern)[name] for name in ("__dataclass_params__", "__repl
 MARK = getattr(Pattern.__dataclass_fields__["field"], "_field_type", None)  # by which `fields` knows one; it is private
 
 
-def described(cls):
+def described(cls, said):
     """The class with what the functions of `dataclasses` ask of one: the same that `dataclass` would give it."""
-    found = dict(getattr(cls, "__dataclass_fields__", {}))  # of its base
-    for name, type_ in cls.__annotations__.items():
-        default = vars(cls).get(name, MISSING)
-        found[name] = told = default if isinstance(default, Field) else field(default=default)
-        told.name, told.type, told.kw_only, told._field_type = name, type_, False, MARK
-        if told.default is not MISSING:
-            setattr(cls, name, told.default)
-    cls.__dataclass_fields__, cls.__match_args__ = found, tuple(found)
+    cls.__match_args__ = tuple(dict.fromkeys((*getattr(cls, "__match_args__", ()), *cls.__annotations__)))
+    cls.__dataclass_fields__ = Fields(cls, said)
     for name, value in SHARED.items():
         setattr(cls, name, value)
+    return cls
+
+
+class Fields:
+    """The fields of a class, which are made when somebody asks for them: starting Blender asks for few."""
+
+    def __init__(self, owner, said):
+        self.owner, self.said = owner, said
+
+    def __get__(self, value, cls):
+        owner = self.owner
+        made = dict(getattr(super(owner, owner), "__dataclass_fields__", {}))
+        for name, type_ in owner.__annotations__.items():
+            made[name] = told = told_field(owner, name, self.said)
+            told.name, told.type, told.kw_only, told._field_type = name, type_, False, MARK
+        owner.__dataclass_fields__ = made
+        return made
+
+
+def told_field(cls, name, said):
+    """The field of a name, with its default and its metadata."""
+    return field(default=vars(cls).get(name, MISSING), metadata=said[name].metadata if name in said else None)
+
+
+def with_fields(cls, said):
+    """The class with fields that have metadata in the place of their defaults, as `dataclass` takes them."""
+    for name in said:
+        setattr(cls, name, told_field(cls, name, said))
     return cls
 
 
@@ -117,10 +139,10 @@ def altered(value, **named):
 
 def bound(cls, values, named):
     """The values given for fields, by the names of these."""
-    names = cls.__dataclass_fields__
+    names = cls.__match_args__
     if len(values) > len(names):
         raise TypeError(f"{cls.__name__} takes at most {len(names)} values but got {len(values)}")
-    if not named.keys() <= names.keys():
+    if not named.keys() <= set(names):
         from .hints import has_none  # nobody needs it until something is refused
 
         name = next(name for name in named if name not in names)
@@ -134,7 +156,7 @@ def bound(cls, values, named):
 
 
 def held(self):
-    return tuple(map(self.__dict__.get, self.__dataclass_fields__))
+    return tuple(map(self.__dict__.get, self.__match_args__))
 
 
 def equal(self, other):
@@ -146,7 +168,7 @@ def hashed(self):
 
 
 def written(self):
-    told = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__dataclass_fields__)
+    told = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__match_args__)
     return f"{type(self).__qualname__}({told})"
 
 

@@ -9,7 +9,6 @@ is made: whoever asks, the refusal is the same sentence.
 """
 
 from contextlib import contextmanager, suppress
-from dataclasses import field, fields
 from enum import EnumMeta
 from functools import cache, cached_property, partial
 from math import inf
@@ -77,6 +76,11 @@ class Parameter:
     shorthand: bool = False  # the only field of its kind, whose value can stand for the kind
     group: str = ""  # the sub-panel of the sidebar it is drawn in
 
+    @property
+    def metadata(self):
+        """What its declaration says beside its default."""
+        return {word: said for word, said in vars(self).items() if word in WORDS and said is not getattr(ANY, word)}
+
     @cached_property
     def kinds(self):
         return get_args(self.type) if isinstance(self.type, UnionType) else ()
@@ -92,11 +96,12 @@ class Parameter:
 
 
 ANY = Parameter("", object)  # of which all others are altered copies: to check each word takes longer, and is a test's
+WORDS = set(Parameter.__match_args__) - {"name", "type", "default"}
 
 
 def parameter(default, doc, **metadata):
     """Declare a field: its default, its doc for people, and any of the words of `Parameter`."""
-    return field(default=default, metadata={"doc": doc, **metadata})
+    return altered(ANY, default=default, doc=doc, **metadata)
 
 
 length = partial(parameter, unit="length", above=0.0)
@@ -114,9 +119,19 @@ def declared(cls):
         if hasattr(cls, "check"):
             self.check()
 
-    cls = unchanging(by_value(cls), settle)
+    cls.__declared__ = tuple(own(cls))
+    cls = unchanging(by_value(cls), settle, {p.name: p for p in cls.__declared__})
     cls.__doc__ = Documented(cls.__doc__)
     return cls
+
+
+def own(cls):
+    """The parameters that a class declares, which learn their names and types and leave their defaults there."""
+    for name, type_ in cls.__annotations__.items():
+        p = vars(cls)[name]
+        p.__dict__.update(name=name, type=type_)
+        setattr(cls, name, p.default)
+        yield p
 
 
 def completed(cls, given):
@@ -153,7 +168,7 @@ def proven(cls, **given):
 @cache
 def parameters(cls):
     """The declared fields of a shape or of a kind, as a tuple of `Parameter`."""
-    return tuple(settled(altered(ANY, name=f.name, type=f.type, default=f.default, **f.metadata)) for f in fields(cls))
+    return tuple(map(settled, cls.__declared__))
 
 
 def settled(p):
@@ -311,18 +326,29 @@ def coerce_kind(p, value):
     """A kind from itself, from its name, from its table, or from the one value that is its shorthand."""
     if isinstance(value, p.kinds):
         return value
-    names = {spelled(kind): kind for kind in p.kinds}
+    names = names_of(p.kinds)
     if isinstance(value, str) and value in names:
         value = {"kind": value}
-    forms = {float: Real, str: str, Array: (list, tuple, np.ndarray, Array)}
-    for kind in p.kinds:
-        for q in parameters(kind):
-            if q.shorthand and isinstance(value, forms[q.type]):
-                value = {"kind": spelled(kind), q.name: value}
+    for form, kind, name in shorthands(p.kinds):
+        if isinstance(value, form):
+            value = {"kind": kind, name: value}
     if isinstance(value, dict):
         with measured(p.unit):
             return from_table(names, value, lambda kind: inside(p, kind))
     return pick(names, value)
+
+
+@cache
+def names_of(kinds):
+    """Kinds by their names."""
+    return {spelled(kind): kind for kind in kinds}
+
+
+@cache
+def shorthands(kinds):
+    """What stands for a kind, which kind, and for which of its parameters."""
+    forms = {float: Real, str: str, Array: (list, tuple, np.ndarray, Array)}
+    return [(forms[q.type], spelled(kind), q.name) for kind in kinds for q in parameters(kind) if q.shorthand]
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from .wording import shown
 
 MOST = 20  # mistakes of one kind that are told at once
+FLATTEST = 1e-6  # single precision, which Blender keeps, tells the two sides of a figure as flat just apart
 
 
 class ShapeError(ValueError):
@@ -90,3 +91,18 @@ def require(holds, sentence, value, key=""):
     """Refuse a value unless the sentence about it holds."""
     if not holds:
         raise ShapeError(f"{sentence}, got {shown(value)}", key)
+
+
+def require_broad(contour, one, other):
+    """Refuse a contour of which one of two lengths is less than a millionth of the other.
+
+    Parameters
+    ----------
+    contour : declared value
+    one, other : str
+        The names of its parameters; the sentence is about the shorter one.
+    """
+    shorter, longer = sorted((one, other), key=lambda name: getattr(contour, name))
+    least = FLATTEST * getattr(contour, longer)
+    value = getattr(contour, shorter)
+    require(value >= least, f"must be at least {least:.9g}, a millionth of {longer}", value, shorter)

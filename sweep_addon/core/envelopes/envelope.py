@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..contours import Circle, Section
+from ..declared.options import PREFIX
 from ..declared.parameters import at, require
 from ..declared.wording import near
 from ..grids import in_plane
@@ -22,7 +23,7 @@ from ..meshes.joining import joined
 from ..meshes.mesh import Mesh, require_few
 from ..rings import caps
 from ..rings.ends import Flat, Open
-from ..self_intersection.folds import PREFIX, TOLD, between, stretches_told
+from ..self_intersection.folds import TOLD, between, stretches_told
 from ..stations import rotations
 from ..stations.frames import Frames, RotationMinimizing, axes
 from ..stations.plane import normal_of

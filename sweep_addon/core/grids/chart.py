@@ -8,10 +8,10 @@ import numpy as np
 
 from ..declared.digest import checksum
 from ..declared.frozen import individual
+from ..declared.options import Texture
 from ..meshes.runs import backward, run_of
 from ..vectors import added
 from .grid import Grid
-from .texture import Texture
 
 
 @individual

@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from ..contours.offsetting import boundary
+from ..declared.options import Side, Texture
 from ..declared.parameters import require
 from ..grids.in_plane import flat
-from ..grids.texture import Texture
-from .choices import Side
 
 AXES = np.eye(4, 3, k=-1)[:3]  # the origin, and the axes of the plane
 

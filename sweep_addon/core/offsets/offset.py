@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..declared.frozen import individual
+from ..declared.options import Engine, Side
 from ..declared.parameters import ShapeError, require
 from ..declared.wording import shown
 from ..meshes.facets import facets
@@ -16,7 +17,6 @@ from ..resolving.tidying import tidied_arrays
 from ..vectors import cross, dot, norms
 from .around import Around
 from .band import MOST_CORNERS, TooFineError
-from .choices import Engine, Side
 from .convex import convex_inset, convex_offset, is_convex
 from .dual import TornError
 from .interval import enclosing

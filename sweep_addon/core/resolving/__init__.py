@@ -9,12 +9,4 @@ given to a boolean as it is. What comes near nothing is not given to it at all, 
 (`assembling`); of tubes that run beside each other only the sides that meet are given to it (`sectors`, `wedges`).
 """
 
-from ..declared.parameters import parameter
-
-MEETING = "Self-Intersection"
 OPEN = "A solid needs a closed contour and closed ends, got an open surface"
-
-
-def solid_option():
-    """Declare whether a shape's mesh is to be its solid."""
-    return parameter(False, "Where the sweep meets itself, make the boundary of all that it visits", group=MEETING)

@@ -5,5 +5,3 @@
 Local, where the generator turns faster than it moves; at corners whose legs are shorter than their mitres; and global,
 where parts meet that are far from each other along the trajectory, or a face at an end.
 """
-
-PREFIX = "Self-intersection: "  # how every sentence about it begins

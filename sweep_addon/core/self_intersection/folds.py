@@ -11,10 +11,10 @@ normal of its plane.
 
 import numpy as np
 
+from ..declared.options import PREFIX
 from ..declared.wording import near
 from ..stations.search import highest
 from ..vectors import dot, norms
-from . import PREFIX
 
 PEAKS = 16
 TOLD = 3  # sentences of one kind

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from math import floor, inf, log10
 
-from . import PREFIX
+from ..declared.options import PREFIX
 from .folds import TOLD
 
 KINDS = ("local", "corner", "global", "ends")

@@ -6,9 +6,8 @@ from enum import Enum
 
 import numpy as np
 
+from ..declared.options import Texture, solid_option
 from ..declared.parameters import count, declared, parameter, require
-from ..grids.texture import Texture
-from ..resolving import solid_option
 from ..stations.frames import require_several
 from ..stations.sampling import Sampling, Tolerance
 from ..trajectories import Helix, Trajectory

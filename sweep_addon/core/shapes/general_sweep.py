@@ -8,13 +8,12 @@ import numpy as np
 
 from ..contours import Contour
 from ..contours.region import Region
+from ..declared.options import Texture
 from ..declared.parameters import angle, at, count, declared, parameter
-from ..grids.texture import Texture
 from ..later import later
 from ..rings.ends import Cap, Flat
 from ..solids import Bracket, Solid
-from ..stations.frames import FixedUp, Frames, Frenet, RotationMinimizing, require_several
-from ..stations.parallel import Parallel
+from ..stations.frames import FixedUp, Frames, Frenet, Parallel, RotationMinimizing, require_several
 from ..stations.sampling import Sampling, Tolerance
 from ..trajectories import Arc, Trajectory
 from ..variation.laws import Law

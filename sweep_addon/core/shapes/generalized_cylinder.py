@@ -9,10 +9,9 @@ from math import cos, radians, tau
 import numpy as np
 
 from ..contours import Circle, Contour, Fit, fitted
+from ..declared.options import Texture, solid_option
 from ..declared.parameters import angle, at, declared, parameter, require
-from ..grids.texture import Texture
 from ..later import later
-from ..resolving import solid_option
 from ..rings.ends import End, Flat, Round, Taper
 from ..stations.frames import Frame, Frames, RotationMinimizing, axes, require_several
 from ..stations.sampling import Count, Sampling, Tolerance, place

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from ..contours import Contour
+from ..declared.options import Engine, Side
 from ..declared.parameters import declared, length, parameter, require, spelled
 from ..later import later
-from ..offsets.choices import Engine, Side
 from ..solids import Bracket, Solid
 from ..variation.morph import AS_THICK
 from ..vectors import unit

@@ -9,11 +9,10 @@ from math import radians
 import numpy as np
 
 from ..contours import Contour, Fit, Rectangle
+from ..declared.options import Texture, solid_option
 from ..declared.parameters import Array, ShapeError, at, declared, parameter, proven, require
 from ..declared.wording import shown
-from ..grids.texture import Texture
 from ..later import later
-from ..resolving import solid_option
 from ..rings.limits import Flat, Limit, Open, Plane
 from ..stations.directions import Cubic, Direction, Tilt
 from ..stations.frames import Frames, require_several, turn

@@ -7,8 +7,8 @@ from enum import Enum
 import numpy as np
 
 from ..declared.grammar_text import Grammar, Values
+from ..declared.options import Texture
 from ..declared.parameters import at, coerce, count, declared, parameter, parameters, require, spelled
-from ..grids.texture import Texture
 from ..later import later
 from .operand import Operand
 

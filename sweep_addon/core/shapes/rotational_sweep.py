@@ -10,12 +10,10 @@ from math import ceil, copysign, pi, sin, sqrt, tau
 import numpy as np
 
 from ..contours import Fit, Mixed, Outline, PlanarSet, all_fitted
+from ..declared.options import PREFIX, Texture, solid_option
 from ..declared.parameters import ShapeError, angle, at, declared, parameter, proven, require, spelled
-from ..grids.texture import Texture
 from ..later import later
-from ..resolving import solid_option
 from ..rings.ends import Cap, Flat
-from ..self_intersection import PREFIX
 from ..stations.frames import Frames, require_several
 from ..stations.sampling import MOST_STATIONS, Count, Sampling, Tolerance
 from .operand import Operand

@@ -10,9 +10,9 @@ from math import atan, degrees, radians, tan
 import numpy as np
 
 from ..contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
+from ..declared.options import Texture
 from ..declared.parameters import Array, ShapeError, angle, count, declared, length, parameter, require
 from ..declared.wording import shown
-from ..grids.texture import Texture
 from ..later import later
 from ..rings.ends import Cap, Flat
 from ..stations.frames import Frames, require_several

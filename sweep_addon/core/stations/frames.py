@@ -23,7 +23,7 @@ turned, wrapped = later("core.stations.rotations", "turned", "wrapped")
 transport = later("core.stations.transport", "transport")
 along_path, continued, evenly = later("core.stations.continuing", "along_path", "continued", "evenly")
 
-__all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "RotationMinimizing"]
+__all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "Parallel", "RotationMinimizing"]
 
 TOO_FAST = tau / 8  # radians: where a frame turns by more from place to place no number of contours makes it smooth
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
@@ -178,6 +178,20 @@ class FixedUp(OfItsPlace):
         """The angle of the level normal from the rotation-minimizing normals, and where there is one: (n,)."""
         level = cross(unit(np.array(self.up)[None]), stations.leave)
         return signed_angle(normals, level, stations.leave), np.linalg.norm(level, axis=1) > 1e-6
+
+
+@declared
+class Parallel:
+    """The generator's axes stay those of space
+
+    >>> from sweep_addon.core.shapes.general_sweep import GeneralSweep
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> mesh = GeneralSweep(Rectangle(1.0, 1.0), frame="parallel").mesh()
+    >>> bool(abs(mesh.vertices[:, 2]).max() < 1e-12)  # along an arc in its own plane
+    True
+    """
+
+    extra_sectors = 0
 
 
 Frame = RotationMinimizing | Frenet | FixedUp

@@ -15,8 +15,7 @@ from ..declared.parameters import at
 from ..formulas.expressions import compile
 from ..meshes.mesh import require_few
 from ..shapes.general_sweep import PLACES
-from ..stations.frames import axes
-from ..stations.parallel import Parallel
+from ..stations.frames import Parallel, axes
 from ..stations.sampling import place, stations
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms

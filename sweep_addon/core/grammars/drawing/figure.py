@@ -7,8 +7,8 @@ from numbers import Integral
 
 import numpy as np
 
+from ...declared.options import Texture
 from ...declared.parameters import require
-from ...grids.texture import Texture
 from ...vectors import norms
 from ..deriving.neighbours import narrow
 from . import turns

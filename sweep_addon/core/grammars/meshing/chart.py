@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from ...declared.digest import checksum
-from ...grids.texture import Texture
+from ...declared.options import Texture
 from ...vectors import norms, product
 
 METRIC, OF_SEGMENTS = ("u", "arc_length", "radius"), ("colour", "birth", "axis", "order")

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...declared.digest import checksum
-from ...grids.texture import Texture
+from ...declared.options import Texture
 from ...meshes.joining import joined
 from ...meshes.mesh import Mesh, Topology, require_few
 from ...vectors import cross, dot, product

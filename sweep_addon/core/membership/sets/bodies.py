@@ -4,10 +4,10 @@
 
 import numpy as np
 
+from ...declared.options import Side
 from ...declared.parameters import require
 from ...distance import PseudoNormals, Tree, nearest
 from ...meshes.facets import facets
-from ...offsets.choices import Side
 from ...vectors import norms
 from ..labels import IN, ON, OUT
 

@@ -5,8 +5,8 @@
 import numpy as np
 
 from ...contours import Mixed
+from ...declared.options import Side
 from ...declared.parameters import require
-from ...offsets.choices import Side
 from ..labels import ON, OUT
 from ..plane.loops import Loops
 from ..plane.regions import curved, of_sections, region

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sweep what is selected: a curve or a mesh along another curve, a circle along the only one, or a contour alone."""
+"""Sweep what is selected: a curve or a mesh along another curve, or a ball over a mesh; the new object follows them."""
 
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
@@ -12,10 +12,13 @@ from ..sweep_addon.core.later import later
 from ..sweep_addon.core.shapes.general_sweep import GeneralSweep
 from ..sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from ..sweep_addon.core.shapes.kinds import SWEPT
+from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
 
 objects = later("bridge.objects")
 
-OF_CURVES = [shape for shape in SWEPT if {"trajectory", "contour"}.intersection(p.name for p in parameters(shape))]
+PART = 20  # of the size of a mesh or a curve is the radius of its offset, to begin with
+TYPES = {"MESH", "CURVE", "FONT"}  # which have offsets
+OF_CURVES = tuple(shape for shape in SWEPT if {"trajectory", "contour"}.intersection(p.name for p in parameters(shape)))
 
 
 class OBJECT_OT_sweep_selected(Operator):
@@ -28,7 +31,7 @@ class OBJECT_OT_sweep_selected(Operator):
     shape: EnumProperty(
         name="Shape",
         description="What becomes of the selected objects",
-        items=[rna.item(shape, summary(shape)) for shape in OF_CURVES],
+        items=rna.items_of(OF_CURVES),
         default=spelled(GeneralizedCylinder, "_").upper(),
     )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")
@@ -65,6 +68,35 @@ class OBJECT_OT_sweep_selected(Operator):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         objects.place_along(context, mesh, given[carrier])
+        return {"FINISHED"}
+
+
+class OBJECT_OT_sweep_offset_selected(Operator):
+    """Make an offset surface of the active mesh, or of the area in the active curve or text, which it then follows"""
+
+    bl_idname = "object.sweep_offset_selected"
+    bl_label = "Offset Surface"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        ob = context.active_object
+        if context.mode == "OBJECT" and ob and ob.type in TYPES and ob.select_get():
+            return True
+        cls.poll_message_set("Select a closed mesh, a curve or a text")
+        return False
+
+    def execute(self, context):
+        ob = context.active_object
+        try:
+            sides = (max(places) - min(places) for places in zip(*ob.bound_box, strict=True))
+            size = max(sides)  # not scaled, as the offset is
+            shape = OffsetSurface(radius=(size or 1.0) / PART)
+            mesh = objects.new_mesh(shape, objects.title(OffsetSurface), body=ob)
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        objects.place_along(context, mesh, ob)
         return {"FINISHED"}
 
 

@@ -1,20 +1,69 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Add a shape from a preset, which is a job file."""
+"""Add a shape: one operator for each, all made from the shapes' declarations, and one for presets."""
 
 from functools import cache
+from typing import get_type_hints
 
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
-from bpy_extras.object_utils import add_object_align_init, object_data_add
+from bpy_extras.object_utils import AddObjectHelper, add_object_align_init, object_data_add
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.bridge import rna
+from ..sweep_addon.core.declared.parameters import ShapeError, parameters, spelled
+from ..sweep_addon.core.declared.wording import summary, titled
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.shapes.kinds import SHAPES
 from ..sweep_addon.core.trajectories import Line
-from .add_shape import AddObject
+from ..sweep_addon.properties.sweep import update
 
-objects, presets = later("bridge.objects"), later("presets")
+layout, objects, presets = later("bridge.layout"), later("bridge.objects"), later("presets")
+
+
+class AddObject:
+    """Where a new object stands, as Blender's own helper has it, whose properties are text: here they are made once"""
+
+    __annotations__ = get_type_hints(AddObjectHelper)
+    poll = AddObjectHelper.poll
+
+
+class AddShape(AddObject):
+    """What the operators have in common; each names its shape"""
+
+    bl_options = {"REGISTER", "UNDO", "PRESET"}
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        layout.draw(self.layout, self, parameters(self.shape))
+        for name in ("align", "location", "rotation"):
+            self.layout.prop(self, name)
+
+    def execute(self, context):
+        try:
+            mesh = objects.new_mesh(rna.read(self, self.shape))
+        except ShapeError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        object_data_add(context, mesh, operator=self)
+        return {"FINISHED"}
+
+
+def idname(shape):
+    """How Blender names the operator that adds a shape."""
+    return f"mesh.{spelled(shape, '_')}_add"
+
+
+def add_operator(shape):
+    """The operator that adds one shape."""
+    name = spelled(shape, "_")
+    members = {
+        "__doc__": summary(shape),
+        "__annotations__": rna.annotations(parameters(shape), update=update),  # shared with the mesh's own
+        "bl_idname": idname(shape),
+        "bl_label": titled(shape),
+        "shape": shape,
+    }
+    return type(f"MESH_OT_{name}_add", (AddShape, Operator), members)
 
 
 def items(operator, context):
@@ -80,3 +129,6 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
         ob.select_set(True)
         context.view_layer.objects.active = ob
         return {"FINISHED"}
+
+
+OPERATORS = (*map(add_operator, SHAPES), MESH_OT_sweep_preset_add)

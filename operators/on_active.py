@@ -1,13 +1,24 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What operators have in common that change the active tree, or one of its steps."""
+"""What operators have in common that change the active sweep, the active tree or one of its steps."""
 
 import bpy
 from bpy.props import StringProperty
 
 from ..sweep_addon.core.later import later
 
-trees = later("bridge.trees")
+objects, trees = later("bridge.objects"), later("bridge.trees")
+
+
+class OnSweep:
+    """An operator on a sweep whose parameters may be changed"""
+
+    @classmethod
+    def poll(cls, context):
+        if objects.is_editable_sweep(context.active_object):
+            return True
+        cls.poll_message_set("Make a sweep the active object whose mesh is not linked from another file")
+        return False
 
 
 def can_change(operator, context):
