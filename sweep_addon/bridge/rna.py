@@ -12,7 +12,6 @@ from contextlib import contextmanager
 from dataclasses import replace
 from enum import Enum, EnumMeta
 from functools import cache, lru_cache
-from typing import get_origin
 
 import bpy
 import numpy as np
@@ -105,12 +104,12 @@ def define(p, update, *more):
     common = {"name": label(p), "description": p.doc, "default": default, "update": update}
     if p.type in ASIDE:
         return bpy.props.StringProperty(options={"HIDDEN"}, **common)
-    if p.type is float or p.type is int or get_origin(p.type) is tuple and not p.is_list:
-        return number(p, common)
     if p.type is bool:
         return bpy.props.BoolProperty(**common)
     if p.type is str or p.is_list:
         return bpy.props.StringProperty(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
+    if p.type is float or p.type is int or isinstance(p.default, tuple):
+        return number(p, common)
     return bpy.props.EnumProperty(items=[*items_of(p.kinds or p.type), *more], **common)
 
 

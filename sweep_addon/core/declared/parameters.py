@@ -83,7 +83,7 @@ class Parameter:
 
     @cached_property
     def kinds(self):
-        return get_args(self.type) if isinstance(self.type, UnionType) else ()
+        return self.type.__args__ if isinstance(self.type, UnionType) else ()
 
     @cached_property
     def item(self):
@@ -96,6 +96,7 @@ class Parameter:
 
 
 ANY = Parameter("", object)  # of which all others are altered copies: to check each word takes longer, and is a test's
+SINGLE = {"kinds": (), "item": None, "is_list": False}  # what is known of a number, a text or a member of an Enum
 WORDS = set(Parameter.__match_args__) - {"name", "type", "default"}
 
 
@@ -130,6 +131,8 @@ def own(cls):
     for name, type_ in cls.__annotations__.items():
         p = vars(cls)[name]
         p.__dict__.update(name=name, type=type_)
+        if isinstance(type_, type) and type_ is not Array:
+            p.__dict__.update(SINGLE)
         setattr(cls, name, p.default)
         yield p
 
@@ -173,17 +176,25 @@ def parameters(cls):
 
 def settled(p):
     """A parameter with its default as it is kept, as most are declared; a test asks whether all are within limits."""
-    kept = type(p.default) is p.type or p.kinds and type(p.default) in p.kinds
-    return p if kept else changed(p, default=coerce(p, p.default))
+    if type(p.default) is p.type or p.kinds and type(p.default) in p.kinds:
+        return p
+    return changed(p, default=array_of(p, p.default) if p.type is Array else coerce(p, p.default))
 
 
 @cache
 def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
-    likened = getattr(kind, "like", lambda other: None)
-    values = (value for value in (union.default, *union.others) if isinstance(value, kind))
-    default = next(values, None) or likened(union.default)
-    return of_kind(kind, default, union.unit, union.doc if any(p.shorthand for p in parameters(kind)) else "")
+    default = next((value for value in (union.default, *union.others) if isinstance(value, kind)), None)
+    if default is None and hasattr(kind, "like"):
+        default = kind.like(union.default)
+    doc = union.doc if has_shorthand(kind) else ""
+    says_nothing = default is None and union.unit is None and not doc
+    return parameters(kind) if says_nothing else of_kind(kind, default, union.unit, doc)
+
+
+@cache
+def has_shorthand(kind):
+    return any(p.shorthand for p in parameters(kind))
 
 
 @cache
@@ -208,9 +219,11 @@ def said(p, default, unit, doc):
 
 def changed(p, **words):
     """A parameter of which some words are others; itself where none is, so that shapes share most of theirs."""
-    held = [(getattr(p, name), value) for name, value in words.items()]
-    same = all(old is new or type(old) is type(new) is not tuple and old == new for old, new in held)  # (0,) == (0.0,)
-    return p if same else altered(p, **words)
+    for name, new in words.items():
+        old = getattr(p, name)
+        if not (old is new or type(old) is type(new) is not tuple and old == new):  # (0,) == (0.0,)
+            return altered(p, **words)
+    return p
 
 
 def coerce(p, value):
@@ -281,12 +294,10 @@ def rows(value):
 def coerce_array(p, value):
     require_few(p, rows(value))
     try:
-        array = value if isinstance(value, Array) else Array(value)
+        array = array_of(p, value)
     except (TypeError, ValueError, OverflowError):
         array = None
     row = (p.columns,) if p.columns else ()
-    if array is not None and not array.values.size and not len(p.default):
-        array = Array(np.zeros((0, *row)))  # where nothing is what is meant by default
     fits = array is not None and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
     require(fits, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
     wrong = ~(np.abs(array.values) <= LARGEST)
@@ -294,6 +305,13 @@ def coerce_array(p, value):
         got = f"{array.values[wrong][0]:g} in row {np.argwhere(wrong)[0, 0] + 1}"
         raise ShapeError(f"must have finite numbers up to {LARGEST:g} in size, got {got}")
     return array
+
+
+def array_of(p, value):
+    """An array from what has the form of one; with rows of none where nothing is what is meant by default."""
+    array = value if isinstance(value, Array) else Array(value)
+    nothing = p.columns and not array.values.size and not len(p.default)
+    return Array(np.zeros((0, p.columns))) if nothing else array
 
 
 def coerce_items(p, value):
@@ -329,11 +347,11 @@ def coerce_kind(p, value):
     names = names_of(p.kinds)
     if isinstance(value, str) and value in names:
         value = {"kind": value}
-    for form, kind, name in shorthands(p.kinds):
-        if isinstance(value, form):
-            value = {"kind": kind, name: value}
-    if isinstance(value, dict):
-        with measured(p.unit):
+    with measured(p.unit):
+        for form, kind in shorthands(p.kinds):
+            if isinstance(value, form):
+                return kind(value)
+        if isinstance(value, dict):
             return from_table(names, value, lambda kind: inside(p, kind))
     return pick(names, value)
 
@@ -346,9 +364,9 @@ def names_of(kinds):
 
 @cache
 def shorthands(kinds):
-    """What stands for a kind, which kind, and for which of its parameters."""
+    """What stands for a kind, and for which."""
     forms = {float: Real, str: str, Array: (list, tuple, np.ndarray, Array)}
-    return [(forms[q.type], spelled(kind), q.name) for kind in kinds for q in parameters(kind) if q.shorthand]
+    return [(forms[q.type], kind) for kind in kinds for q in parameters(kind) if q.shorthand]
 
 
 @contextmanager
