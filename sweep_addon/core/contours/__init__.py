@@ -13,17 +13,14 @@ Examples
 from importlib import import_module
 
 from .aerofoil import Aerofoil
-from .circle import Circle
-from .ellipse import Ellipse
 from .fit import Fit, all_fitted, fitted
 from .mixed import Mixed
 from .outline import Outline
+from .ovals import Circle, Ellipse, Superellipse
 from .rectangle import Rectangle
 from .region import Region
-from .regular_polygon import RegularPolygon
+from .regular import RegularPolygon, Star
 from .screw_thread import ScrewThread
-from .star import Star
-from .superellipse import Superellipse
 
 Contour = Circle | Ellipse | Rectangle | RegularPolygon | Star | Superellipse | Aerofoil | ScrewThread | Outline
 PlanarSet = Contour | Mixed  # what may also be of mixed dimension

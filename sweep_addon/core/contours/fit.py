@@ -51,7 +51,7 @@ def fitted(contour, fit):
 
     Examples
     --------
-    >>> from .circle import Circle
+    >>> from .ovals import Circle
     >>> round(fitted(Circle(points=5), "area-true").area, 12) == round(np.pi, 12)
     True
     """

@@ -55,7 +55,7 @@ def offset(contour, distance, both=False):
     --------
     A disc of radius 1 m moves along a circle of radius 5 m: between circles of 4 and 6 m.
 
-    >>> from .circle import Circle
+    >>> from .ovals import Circle
     >>> ring = offset(Circle(5.0), 1.0, both=True)
     >>> round(ring.area / np.pi, 9), len(ring.loops)
     (20.0, 2)

@@ -23,7 +23,7 @@ def turned_onto(section, turns):
 
     Examples
     --------
-    >>> from .circle import Circle
+    >>> from .ovals import Circle
     >>> turned_onto(Circle(points=6).section(), 3).tolist(), turned_onto(Circle(points=6).section(), 4)
     ([2, 3, 4, 5, 0, 1], None)
     """

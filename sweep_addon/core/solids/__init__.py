@@ -10,9 +10,7 @@ Examples
 6.0
 """
 
-from .ball import Ball
-from .prisms import Block, Bracket, Cylinder, DrilledBlock
-from .triangles import Triangles
+from .bodies import Ball, Block, Bracket, Cylinder, DrilledBlock, Triangles
 
 Solid = Block | Ball | Cylinder | Bracket | DrilledBlock | Triangles
 

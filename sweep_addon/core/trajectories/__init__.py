@@ -4,15 +4,13 @@
 
 from importlib import import_module
 
-from .arc import Arc
+from .about_an_axis import Arc, Helix, TorusKnot
 from .bezier import Bezier
 from .formula import Closing, Formula
-from .helix import Helix
 from .line import Line
 from .nurbs import Nurbs
 from .polyline import Polyline
 from .sampled import Sampled
-from .torus_knot import TorusKnot
 
 Trajectory = Line | Arc | Helix | TorusKnot | Polyline | Bezier | Nurbs | Sampled | Formula
 

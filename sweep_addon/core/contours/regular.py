@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The regular polygon, its corners sharp or rounded, as a contour."""
+"""Contours of equal sectors: the regular polygon, its corners sharp or rounded, and the star."""
 
 from enum import Enum
-from math import cos, pi, tan
+from math import cos, pi, sin, tan
 
 import numpy as np
 
 from ..declared.parameters import count, declared, length, parameter, require
+from ..declared.refusals import require_broad
 from ..later import later
 
 rounded, rounded_apexes = later("core.contours.rounding", "rounded", "rounded_apexes")
@@ -81,3 +82,38 @@ class RegularPolygon:
         half = pi / self.sides
         centres = self.towards() * (self.inner - self.rounding) / cos(half)
         return centres, self.rounding, half * (2 * np.arange(self.sides) - 1), 2 * half, self.corner_points
+
+
+@declared
+class Star:
+    """A star of equal tips
+
+    About its reference point, a tip on +x; sharp at every corner.
+
+    Examples
+    --------
+    >>> section = Star(points=4, outer=2.0, inner=1.0).section()
+    >>> section.points[:2].round(3).tolist(), round(section.area**2, 9)
+    ([[2.0, 0.0], [0.707, 0.707]], 32.0)
+    """
+
+    points: int = count(5, "Number of tips", minimum=2, maximum=2048, soft_maximum=16)
+    outer: float = length(1.0, "Distance of the tips from the centre")
+    inner: float = length(0.4, "Distance of the corners between tips from the centre")
+
+    def check(self):
+        """Refuse a radius of less than a millionth of the other."""
+        require_broad(self, "inner", "outer")
+
+    @property
+    def area(self):
+        """What the sides enclose, in square metres."""
+        return self.points * self.outer * self.inner * sin(pi / self.points)
+
+    def section(self):
+        """The star as a `Section` of one loop, which begins at the tip on +x."""
+        corners = 2 * self.points
+        angles = pi * np.arange(corners) / self.points
+        radius = np.where(np.arange(corners) % 2, self.inner, self.outer)
+        around = radius[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        return Section(around, np.array([0, corners]), np.ones(corners, dtype=bool))
