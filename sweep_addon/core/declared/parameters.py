@@ -184,12 +184,18 @@ def settled(p):
 @cache
 def inside(union, kind):
     """The parameters of one kind of a union, with what the union says of them: defaults, unit, doc."""
-    default = next((value for value in (union.default, *union.others) if isinstance(value, kind)), None)
+    default = by_kind(union).get(kind)
     if default is None and hasattr(kind, "like"):
         default = kind.like(union.default)
     doc = union.doc if has_shorthand(kind) else ""
     says_nothing = default is None and union.unit is None and not doc
     return parameters(kind) if says_nothing else of_kind(kind, default, union.unit, doc)
+
+
+@cache
+def by_kind(union):
+    """The values of the kinds that a union says, its default and the others."""
+    return {type(value): value for value in (*union.others, union.default)}
 
 
 @cache
