@@ -4,7 +4,6 @@
 
 import importlib.util
 import os
-import pty
 import subprocess
 from pathlib import Path
 
@@ -33,6 +32,7 @@ def test_version_is_a_supported_one():
 
 
 def test_a_terminal_is_told_which_blender_it_is_and_how_to_get_another():
+    pty = pytest.importorskip("pty", reason="Windows has no such terminals")
     screen, terminal = pty.openpty()
     done = subprocess.run([LAUNCHER, "--version"], stdout=subprocess.PIPE, stderr=terminal, text=True, timeout=120)
     os.close(terminal)

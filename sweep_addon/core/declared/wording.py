@@ -18,7 +18,7 @@ MEASURES = {None: "a number", "length": "a number of metres", "angle": "a number
 UNITS = {"length": "in metres", "angle": "in radians"}
 LIMITS = {"above": -inf, "minimum": -inf, "maximum": inf}
 REFUSED = "ShapeError\n    For any other value."
-WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")  # where a word of a class's name begins
+WORDS = re.compile(r"\B(?=[A-Z][a-z])")  # where a word of a class's name begins
 SMALL = {"A", "And", "By", "In", "Of", "On", "The", "To", "With"}  # words that titles do not begin or end with
 LONGEST = 40  # characters of a default in a docstring; of a longer one only how it starts
 
