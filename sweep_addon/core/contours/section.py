@@ -3,7 +3,7 @@
 """A section: what every contour becomes, loops of points in the plane that bound an area, or lines that are open."""
 
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ..declared.frozen import individual
 from ..later import later
 from ..meshes.runs import following, run_of
 from ..vectors import dot
+from .fit import fitted
 from .loops import joined, require_apart, require_area, without_coincident
 
 nesting = later("core.contours.nesting", "nesting")
@@ -227,3 +228,9 @@ class Section:
         size = np.diff(self.offsets)[self.loop_of]
         order = first + np.where(which[self.loop_of], -place % size if self.closed else size - 1 - place, place)
         return replace(self, points=self.points[order], sharp=self.sharp[order])
+
+
+@lru_cache(maxsize=16)
+def section_of(contour, fit):
+    """The section of a contour, made once for equal ones, and with it what is known of it."""
+    return fitted(contour, fit)

@@ -7,11 +7,11 @@ from functools import lru_cache
 import numpy as np
 
 from ..contours import Circle, Fit, fitted
+from ..contours.section import section_of
 from ..declared.parameters import Array
 from ..rings.bevels import bevels
 from ..rings.ends import Flat, Open
 from ..rings.mitres import legs
-from ..shapes.generalized_cylinder import section_of
 from ..stations.cells import bend, cut
 from ..stations.frames import axes
 from ..stations.sampling import lengths, standing

@@ -20,7 +20,7 @@ from ..stations.sampling import Count, Sampling, Tolerance, place
 from ..trajectories import Bezier, Polyline, Trajectory
 from ..variation.morph import AS_THICK
 from ..vectors import norms
-from .generalized_cylinder import ATTRIBUTES, section_of
+from .generalized_cylinder import ATTRIBUTES
 from .operand import Operand
 
 caps, cells = later("core.rings.caps"), later("core.stations.cells")
@@ -29,6 +29,7 @@ Chart, lengths_around = later("core.grids.chart", "Chart", "lengths_around")
 affine, drawn = later("core.grids.drawn", "affine", "drawn")
 Grid = later("core.grids.grid", "Grid")
 Mesh, require_few = later("core.meshes.mesh", "Mesh", "require_few")
+section_of = later("core.contours.section", "section_of")
 folds_told, running_backward = later("core.self_intersection.folds", "folds_told", "running_backward")
 told_backward = later("core.rings.steps", "told_backward")
 arc_length = later("core.trajectories.arc_length", "arc_length")

@@ -7,12 +7,12 @@ from functools import cached_property
 import numpy as np
 
 from ..contours import Fit
+from ..contours.section import section_of
 from ..grids.chart import Chart, lengths_around
 from ..grids.drawn import affine, drawn
 from ..grids.grid import Grid
 from ..meshes.mesh import Mesh
 from ..rings import caps
-from ..shapes.generalized_cylinder import section_of
 from ..trajectories.arc_length import arc_length
 from ..vectors import dot, norms, unit
 

@@ -9,7 +9,7 @@ makes no difference; else it is what the leaning planes sweep that is continuous
 import numpy as np
 
 from ...rings.mitres import fans, legs
-from ...shapes.generalized_cylinder import across, placed
+from ...shapes.carrying import across, placed
 from ...trajectories import Polyline
 from ...trajectories.legs import Cut
 from ...vectors import cross, unit

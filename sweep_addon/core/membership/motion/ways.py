@@ -10,10 +10,10 @@ import numpy as np
 
 from ...contours import Circle, Fit
 from ...contours.region import Region
+from ...contours.section import section_of
 from ...rings.domes import domes_of
 from ...rings.ends import Flat, Open, Round
 from ...rings.limits import Plane
-from ...shapes.generalized_cylinder import section_of
 from ...shapes.translational_sweep import Reference
 from ...stations.bending import Bending
 from ...stations.frames import RotationMinimizing, axes
