@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..rings.parting import sides
+from ..shapes.revolving import body_of, rings_of, turns_of
 from ..vectors import dot
 from .detect import largest, meetings
 from .folds import between
@@ -21,7 +22,7 @@ def of_rotation(shape):
         return Places(
             [both_sides(shape, sections[0])] if through else (), lambda: 0.0 if through else np.inf, at_once=True
         )
-    turns = shape.turns(sections)
+    turns = turns_of(shape, sections)
     lattices = [lattice_of(shape, section, turns) for section in sections if section.edge_lengths.any()]
     places = [place for lattice in lattices for place in meetings(lattice, ())]
     return Places(places, lambda: min((largest(lattice, np.inf, not places) for lattice in lattices), default=np.inf))
@@ -36,7 +37,7 @@ def level(sections):
 def both_sides(shape, section):
     """The place of a contour on both sides of the axis: where it crosses that."""
     stretch = between(0.0, shape.turn, sorted((0.0, shape.turn)))
-    place, _, along = shape.rings(np.zeros(1))[:, 0]
+    place, _, along = rings_of(shape, np.zeros(1))[:, 0]
     x, y = section.points.T
     point = place + y[np.abs(x).argmin()] * along
     said = f"from {stretch} the contour is on both sides of the axis, and passes through it."
@@ -45,8 +46,8 @@ def both_sides(shape, section):
 
 def lattice_of(shape, section, turns):
     """The lattice of a section that turns and rises: its contours lean against their way."""
-    mesh = shape.body(section, turns, np.float64)
-    place, radial, along = shape.rings(turns)
+    mesh = body_of(shape, section, turns, np.float64)
+    place, radial, along = rings_of(shape, turns)
     x, y = section.centroid
     path = place + x * radial + y * along
     forward = np.cross(along, radial)

@@ -14,6 +14,7 @@ from ...contours.section import section_of
 from ...rings.domes import domes_of
 from ...rings.ends import Flat, Open, Round
 from ...rings.limits import Plane
+from ...shapes.revolving import rings_of
 from ...shapes.translational_sweep import Reference
 from ...stations.bending import Bending
 from ...stations.frames import RotationMinimizing, axes
@@ -157,7 +158,7 @@ def of_rotation(shape):
     aside = left * y - up * x, left * x + up * y  # where the contour's origin is, as the axis sees it
 
     def carried(angle):
-        place, radial, along = shape.rings(sense * angle)
+        place, radial, along = rings_of(shape, sense * angle)
         middle = place + aside[0] * radial + aside[1] * along
         ahead = np.cross(along, radial) * sense
         return Carried(middle, ahead, y * radial + x * along, y * along - x * radial, np.ones((len(angle), 2)))
