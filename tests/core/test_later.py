@@ -29,12 +29,12 @@ WAITING = """
     meshes.triangulate rings.trimming rings.volume_true meshes.welding contours.arcs contours.arrangement
     contours.crossing contours.filling contours.flatten contours.fonts contours.loops contours.nesting
     contours.orientation contours.planar contours.ranges contours.reading contours.rounding contours.section
-    contours.svg contours.svg_document contours.symmetry distance.nearest grammars shapes.carrying shapes.growing
-    shapes.revolving offsets.offset swept variation.rails self_intersection.cells self_intersection.cylinders
-    self_intersection.detect self_intersection.faces self_intersection.folds self_intersection.lattice
-    self_intersection.local self_intersection.pd_curves self_intersection.places self_intersection.screws
-    self_intersection.stretches self_intersection.thickness trajectories.arc_length trajectories.breaks
-    trajectories.gpx trajectories.neighbours trajectories.table
+    contours.svg contours.svg_document contours.symmetry distance.nearest grammars shapes.carrying
+    shapes.directing shapes.growing shapes.revolving offsets.offset swept variation.rails self_intersection.cells
+    self_intersection.cylinders self_intersection.detect self_intersection.faces self_intersection.folds
+    self_intersection.lattice self_intersection.local self_intersection.pd_curves self_intersection.places
+    self_intersection.screws self_intersection.stretches self_intersection.thickness trajectories.arc_length
+    trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
 """.split()
 DECLARED = """
 import sys

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..contours import Circle
 from ..rings.limits import Flat, Plane
+from ..shapes import directing
 from ..shapes.generalized_cylinder import GeneralizedCylinder
 from ..stations.cells import bend
 from ..vectors import cross, norms
@@ -27,8 +28,8 @@ def of_pd_curve(shape):
     if tube and not any(planes):  # whichever way it is turned
         path = replace(shape.trajectory, radii=(), tilts=()) if shape.trajectory.carries else shape.trajectory
         return of_cylinder(GeneralizedCylinder(shape.contour, path, shape.samples, start=limits[0], end=limits[1]))
-    section, bending, stations, _ = shape.laid_out()
-    rings, mesh = shape.rings(section, bending, stations), shape.mesh()
+    section, bending, stations, _ = directing.laid_out(shape)
+    rings, mesh = directing.rings_of(shape, section, bending, stations), shape.mesh()
     path, e2, e3 = rings.axes
     normals = cross(e2, e3) * (-1 if bending.mirrored else 1)
     for side in np.flatnonzero(planes):  # the face there lies in its plane

@@ -2,42 +2,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The PD curve sweep: a contour along a curve of position and direction, a constant cross-section solid."""
 
-from dataclasses import replace
-from functools import lru_cache
-from math import radians
-
 import numpy as np
 
-from ..contours import Contour, Fit, Rectangle
+from ..contours import Contour, Rectangle
 from ..declared.options import Texture, solid_option
-from ..declared.parameters import Array, ShapeError, at, declared, parameter, proven, require
-from ..declared.wording import shown
+from ..declared.parameters import declared, parameter, proven
 from ..later import later
-from ..rings.limits import Flat, Limit, Open, Plane
+from ..rings.limits import Flat, Limit, Plane
 from ..stations.directions import Cubic, Direction, Tilt
-from ..stations.frames import Frames, require_several, turn
-from ..stations.sampling import Count, Sampling, Tolerance, place
+from ..stations.sampling import Sampling, Tolerance
 from ..trajectories import Bezier, Polyline, Trajectory
 from ..variation.morph import AS_THICK
-from ..vectors import norms
 from .generalized_cylinder import ATTRIBUTES
 from .operand import Operand
 
-caps, cells = later("core.rings.caps"), later("core.stations.cells")
-Bending, Rings = later("core.stations.bending", "Bending", "Rings")
-Chart, lengths_around = later("core.grids.chart", "Chart", "lengths_around")
-affine, drawn = later("core.grids.drawn", "affine", "drawn")
-Grid = later("core.grids.grid", "Grid")
-Mesh, require_few = later("core.meshes.mesh", "Mesh", "require_few")
-section_of = later("core.contours.section", "section_of")
-folds_told, running_backward = later("core.self_intersection.folds", "folds_told", "running_backward")
-told_backward = later("core.rings.steps", "told_backward")
-arc_length = later("core.trajectories.arc_length", "arc_length")
+directing = later("core.shapes.directing")
 
 SMOOTH = (proven(Polyline, corner="round"),)
 AT_END = (Plane((0, 1, 1), (0, 1, 0)),)  # of the trajectory that there is by default
-COARSE, FINEST = 1e-3, 1e-6  # of the contour: how far from the cut the edge of a cap may be where samples do not say
-CORNER = radians(1)  # a turn of less leaves the cross-section constant to a 25,000th
 
 
 @declared
@@ -105,6 +87,7 @@ class PDCurveSweep(Operand):
 
         Examples
         --------
+        >>> from sweep_addon.core.stations.sampling import Count
         >>> mesh = PDCurveSweep(samples=Count(10)).mesh()
         >>> mesh.vertices.shape, mesh.vertices.dtype.name, len(mesh.boundary_edges())
         ((40, 3), 'float64', 0)
@@ -115,34 +98,7 @@ class PDCurveSweep(Operand):
 
     def surface(self, dtype=np.float64):
         """The surface that the contour leaves, also where it meets itself: a `Mesh`."""
-        section, bending, stations, told = self.laid_out()
-        rings = self.rings(section, bending, stations)
-        section = rings.section
-        grid = Grid(
-            rings=len(rings.s),
-            tips=(),
-            closed=stations.closed,
-            creases=(),
-            offsets=tuple(section.offsets.tolist()),
-            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=tuple(
-                caps.faces(end) if end.closed and not (stations.closed or isinstance(limit, Open)) else None
-                for limit, end in zip((self.start, self.end), rings.ends, strict=True)
-            ),
-            gaps=tuple(section.gaps.tolist()),
-        )
-        vertices = drawn(grid, affine(section.points), rings.axes, dtype)
-        flat, around = tuple(end.points for end in rings.ends), lengths_around(section, np.ones(2))
-        chart = grid, rings.u, rings.s, stations.total, around, flat, self.texture, self.attributes
-        if not any(rings.leaning):
-            return Mesh(vertices, grid.topology(), Chart(*chart), told)
-        from ..grids.leaning import Leaning, standing
-
-        columns = vertices.reshape(len(section.points), -1, 3)
-        for own, which in standing(rings.leaning, len(rings.s)):
-            for axis in range(3):  # so NumPy goes along the rings, and not three numbers at a time
-                columns[:, which, axis] = rings.lines[:, axis, own]
-        return Mesh(vertices, grid.topology(), Leaning(*chart, rings.leaning, rings.heights, rings.lines[:, 3]), told)
+        return directing.surface(self, dtype)
 
     def self_intersections(self):
         """Where the solid meets itself, and up to which size it does not.
@@ -206,44 +162,6 @@ class PDCurveSweep(Operand):
         """The sweep that follows a drawn curve first, whose own tilt is the direction."""
         return cls(direction=Tilt())
 
-    def laid_out(self):
-        """The section, the bending of the axis, its stations, and what is to be told.
-
-        Where the contour is beyond the centre of curvature everywhere, and so runs backward, it is seen in a mirror.
-        """
-        section, told = section_of(self.contour, Fit.INSCRIBED), ()
-        with at("trajectory"):
-            total = arc_length(self.trajectory).total
-            require_smooth(self.trajectory)
-        if self.trajectory.closed and any(isinstance(limit, Plane) for limit in (self.start, self.end)):
-            told = ("Limits: a closed trajectory has no ends, so no plane cuts anything off.",)
-        bending = Bending(self.trajectory, self.direction, total)
-        reach = 0.0 if isinstance(self.samples, Count) else float(np.linalg.norm(section.points, axis=1).max())
-        with at("direction"):
-            stations = stand(self.samples, self.trajectory, self.direction, reach)
-            axis = bending.placed(stations)
-        rings = bending.axes(stations)
-        backward = running_backward(stations, rings, section.centroid, False)
-        told += told_backward(stations) + folds_told(
-            stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support
-        )
-        told += axis.told
-        if backward:
-            section, bending = section.mirrored, replace(bending, mirrored=True)
-        return section, bending, stations, told
-
-    def rings(self, section, bending, stations):
-        """The rings between the limits: `Rings`."""
-        limits = self.start, self.end
-        if stations.closed or not any(isinstance(limit, Plane) for limit in limits):
-            require_few(len(section.points) * len(stations.s), "samples")
-            return Rings(section, stations.u, stations.s, bending.axes(stations), (section, section))
-        from ..rings.trimming import trimmed  # most sweeps have no plane, and Blender starts a little sooner without
-
-        size = float(np.abs(section.points).max())
-        chord = COARSE * size if isinstance(self.samples, Count) else self.samples.chord
-        return trimmed(limits, bending, section, stations, max(chord, FINEST * size))
-
     def bend(self, points):
         """Points of a straight model where the curved axis takes them: a nonlinear transformation of the model.
 
@@ -275,14 +193,7 @@ class PDCurveSweep(Operand):
         >>> elbow.bend(straight.mesh().vertices).shape, elbow.bend([(0, 0, 2)]).round(6).tolist()
         ((8, 3), [[0.0, 1.27324, 0.0]])
         """
-        try:
-            points = Array(points).values
-        except (TypeError, ValueError):
-            raise ShapeError(f"must be rows of 3 numbers, got {shown(points)}", "points") from None
-        require(points.ndim == 2 and points.shape[1] == 3, "must be (n, 3)", points.shape, "points")
-        require(np.isfinite(points).all(), "must be finite", points[~np.isfinite(points)][:1].tolist(), "points")
-        _, bending, _, _ = self.laid_out()
-        return replace(bending, mirrored=False).bend(points)
+        return directing.bend(self, points)
 
     def frames(self, most=100):
         """The frames and contours at places spread evenly along the trajectory, whatever limits the solid.
@@ -304,32 +215,4 @@ class PDCurveSweep(Operand):
         >>> frames.points[:, 2].round(12).tolist(), frames.e2[0].tolist(), frames.contours[0].shape
         ([0.0, 1.0, 2.0], [1.0, 0.0, 0.0], (3, 4, 3))
         """
-        require_several(most)
-        section, bending, _, _ = self.laid_out()
-        steps = bending.total / float(np.linalg.norm(section.points, axis=1).max())
-        stations = place(self.trajectory, Count(int(np.clip(steps + (not self.trajectory.closed), 2, most))))
-        axis, rings = bending.placed(stations), bending.axes(stations)
-        loops = tuple(np.split(np.einsum("mk,kni->nmi", affine(section.points), rings), section.offsets[1:-1], axis=1))
-        return Frames(stations.u, stations.s, axis.points, axis.e1, axis.e2, axis.e3, loops)
-
-
-@lru_cache(maxsize=16)
-def require_smooth(trajectory):
-    """Refuse corners that can be seen: handles in single precision are not quite in line."""
-    corners = trajectory.corners()
-    reached = np.where(corners == trajectory.domain[0], trajectory.domain[1], corners)
-    turns = norms(trajectory.tangents(corners) - trajectory.tangents(reached, before=True))
-    seen = corners[turns > CORNER]
-    if len(seen):
-        raise ShapeError(f"must be smooth, or its corners round, got a corner at u = {seen[0]:.6g}")
-
-
-@lru_cache(maxsize=16)
-def stand(samples, trajectory, direction, reach):
-    """The stations of a sweep, close enough for the turning of its frame too; the same for contours of one reach."""
-
-    def steps(s, u, chord):
-        rate = np.gradient(np.interp(s, *turn(direction, trajectory)), s)
-        return np.maximum(np.sqrt(reach * rate**2 / (8 * chord)), np.abs(rate) / cells.WIDEST_TURN)
-
-    return place(trajectory, samples, (), steps)
+        return directing.frames(self, most)

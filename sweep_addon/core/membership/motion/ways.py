@@ -14,6 +14,7 @@ from ...contours.section import section_of
 from ...rings.domes import domes_of
 from ...rings.ends import Flat, Open, Round
 from ...rings.limits import Plane
+from ...shapes import directing
 from ...shapes.revolving import rings_of
 from ...shapes.translational_sweep import Reference
 from ...stations.bending import Bending
@@ -180,7 +181,7 @@ def of_pd_curve(shape):
     """The way of a `PDCurveSweep`; limiting planes cut off what goes on straight beyond its ends."""
     limits = (shape.start, shape.end)
     closed = bool(shape.trajectory.closed)
-    section, bending, _, _ = shape.laid_out()
+    section, bending, _, _ = directing.laid_out(shape)
     bending = Bending(bending.trajectory, bending.frame, bending.total)
     measure = arc_length(shape.trajectory)
 
