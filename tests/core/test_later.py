@@ -30,11 +30,11 @@ WAITING = """
     contours.crossing contours.filling contours.flatten contours.fonts contours.loops contours.nesting
     contours.orientation contours.planar contours.ranges contours.reading contours.rounding contours.section
     contours.svg contours.svg_document contours.symmetry distance.nearest grammars shapes.carrying
-    shapes.directing shapes.growing shapes.revolving offsets.offset swept variation.rails self_intersection.cells
-    self_intersection.cylinders self_intersection.detect self_intersection.faces self_intersection.folds
-    self_intersection.lattice self_intersection.local self_intersection.pd_curves self_intersection.places
-    self_intersection.screws self_intersection.stretches self_intersection.thickness trajectories.arc_length
-    trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
+    shapes.directing shapes.extruding shapes.growing shapes.revolving offsets.offset swept variation.rails
+    self_intersection.cells self_intersection.cylinders self_intersection.detect self_intersection.faces
+    self_intersection.folds self_intersection.lattice self_intersection.local self_intersection.pd_curves
+    self_intersection.places self_intersection.screws self_intersection.stretches self_intersection.thickness
+    trajectories.arc_length trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
 """.split()
 DECLARED = """
 import sys

@@ -2,32 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The translational sweep: a contour moved along a line segment, its sides upright, oblique or drafted."""
 
-from dataclasses import replace
 from enum import Enum
-from functools import lru_cache
-from math import atan, degrees, radians, tan
+from math import radians
 
 import numpy as np
 
-from ..contours import Fit, Mixed, PlanarSet, Rectangle, all_fitted
+from ..contours import Fit, PlanarSet, Rectangle
 from ..declared.options import Texture
-from ..declared.parameters import Array, ShapeError, angle, count, declared, length, parameter, require
-from ..declared.wording import shown
+from ..declared.parameters import Array, angle, count, declared, length, parameter, require
 from ..later import later
 from ..rings.ends import Cap, Flat
-from ..stations.frames import Frames, require_several
 from .operand import Operand
 
-caps, draft, in_plane = later("core.rings.caps"), later("core.rings.draft"), later("core.grids.in_plane")
-Chart, lengths_around = later("core.grids.chart", "Chart", "lengths_around")
-affine, drawn = later("core.grids.drawn", "affine", "drawn")
-Grid = later("core.grids.grid", "Grid")
-Mesh, require_few = later("core.meshes.mesh", "Mesh", "require_few")
-finished, welded = later("core.meshes.welding", "finished", "welded")
+extruding = later("core.shapes.extruding")
 
 ATTRIBUTES = "UVs and Attributes"
 STEEPEST = radians(89)
-PLANE = np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))  # its origin and its axes
 FLATTEST = 1e-6  # of a direction's length, out of the contour's plane
 
 
@@ -124,40 +114,7 @@ class TranslationalSweep(Operand):
         >>> TranslationalSweep(height=2.0, steps=3).mesh().vertices.shape
         (16, 3)
         """
-        mesh, mixed = self.whole(dtype)
-        return finished(mesh, mixed, self.regularize, lambda few: replace(self, steps=few).whole()[0])
-
-    def whole(self, dtype=np.float64):
-        """The mesh, solid or not, and whether it may be of mixed dimension."""
-        sections, mixed = self.sections(), self.within_plane or isinstance(self.contour, Mixed)
-        if self.within_plane:
-            sections = in_plane.swept(sections, *(self.heights()[:, None] * self.way[:2]))
-        bodies = [self.body(section, dtype) for section in sections if section]
-        return (welded(bodies, [s.points for s in sections if s]), True) if mixed else (bodies[0], False)
-
-    def body(self, section, dtype):
-        """The mesh of one section."""
-        if self.within_plane:
-            return in_plane.flat(section, PLANE, self.texture, self.attributes, dtype)
-        heights = self.heights()
-        require_few(len(heights) * len(section.points), "steps")
-        drafted = self.drafted(section, heights)
-        moves, points = drafted.moves, drafted.points
-        s = (heights - heights[0]) / self.upright
-        grid = Grid(
-            rings=len(heights),
-            tips=tuple(station for station, point in zip((0, len(heights) - 1), points, strict=True) if point),
-            closed=False,
-            creases=tuple(np.flatnonzero(heights == 0).tolist()) if moves.any() and heights[0] < 0 else (),
-            offsets=tuple(section.offsets.tolist()),
-            sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=caps.at_ends(drafted.ends, (self.start, self.end), points),
-            gaps=tuple(section.gaps.tolist()),
-        )
-        flat = tuple(end.points for end in drafted.ends)
-        around = lengths_around(section, np.ones(2))
-        chart = Chart(grid, s / s[-1], s, s[-1], around, flat, self.texture, self.attributes)
-        return Mesh(drawn(grid, *self.laid(section, moves, heights), dtype), grid.topology(), chart)
+        return extruding.mesh(self, dtype)
 
     def self_intersections(self):
         """Where the sweep meets itself: nowhere, for its plane moves one way, and a taper ends before edges meet.
@@ -208,20 +165,11 @@ class TranslationalSweep(Operand):
 
     def sections(self):
         """The sections of the contour as its reference point is at the origin: one, unless it is mixed."""
-        return referred(self.contour, self.fit, self.reference, (self.reference_x, self.reference_y))
+        return extruding.sections_of(self)
 
     def heights(self):
         """How far contours stand out of their plane, which is among them if they are drafted: (n,) float array."""
-        low, high = {
-            Directions.UP: (0.0, self.height),
-            Directions.SYMMETRIC: (-self.height / 2, self.height / 2),
-            Directions.BOTH: (-self.depth, self.height),
-        }[self.directions]
-        heights = np.linspace(low, high, self.steps + 1)
-        if not self.is_drafted or low == 0:
-            return heights
-        heights[1:-1][np.abs(heights[1:-1]) <= draft.ALIKE * (high - low)] = 0.0  # but for rounding, also of the depth
-        return np.union1d(heights, 0.0)
+        return extruding.heights_of(self)
 
     @property
     def is_drafted(self):
@@ -243,51 +191,6 @@ class TranslationalSweep(Operand):
         """(3,) float array: how far it moves in a metre of height."""
         return np.array(self.direction) / (float(np.linalg.norm(self.direction)) * self.upright)
 
-    def slopes(self, section):
-        """The tangent of the taper of each loop: (k,) float array."""
-        if len(self.tapers):
-            loops = len(section.areas)
-            require(len(self.tapers) == loops, f"must have one angle a loop, {loops}", len(self.tapers), "tapers")
-            return np.tan(self.tapers.values)
-        return np.where(section.areas >= 0, tan(self.taper), tan(self.hole_taper))
-
-    def drafted(self, section, heights):
-        """The section drafted to its ends: a `Draft`; refused where it does not reach them."""
-        slopes, ends = self.slopes(section), np.abs(heights[[0, -1]]).tolist()
-        if not section.closed:
-            key, angle = self.steepest(slopes)
-            require(
-                not angle, "must be 0 where the contour has open curves or points, which have no inside", angle, key
-            )
-        found = draft.draft(section, tuple(slopes.tolist()), tuple(ends))
-        for height, reached, point in zip(ends, found.reached, found.points, strict=True):
-            if height > reached * (1 + draft.ALIKE if point else 1):
-                raise self.refusal(slopes, height, reached, point)
-        return found
-
-    def refusal(self, slopes, height, reached, point):
-        """What is said of a taper whose edges meet before the height: the largest angle, that of a point if all do."""
-        key, angle = self.steepest(slopes)
-        most = atan(tan(abs(angle)) * reached / height)
-        most = f"must be {'at most' if point else 'less than'} {most:.9g} ({degrees(most):.9g} degrees) in size"
-        return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(angle)}", key)
-
-    def steepest(self, slopes):
-        """The parameter that the steepest slope is of, and its angle."""
-        slope = max(slopes.tolist(), key=abs)
-        key = "tapers" if len(self.tapers) else "taper" if abs(tan(self.taper)) == abs(slope) else "hole_taper"
-        return key, atan(slope)
-
-    def laid(self, section, moves, heights):
-        """The weights of the section's points, (m, k), and the rings that they are of, (k, n, 3)."""
-        axes = np.zeros((3, len(heights), 3))
-        axes[0] = heights[:, None] * self.way
-        axes[1, :, 0] = axes[2, :, 1] = 1.0
-        weights = affine(section.points)
-        if not moves.any():
-            return weights, axes
-        return np.column_stack((weights, moves)), np.concatenate((axes, axes[1:] * np.abs(heights)[:, None]))
-
     def frames(self, most=100):
         """The frames and contours at the stations, or at places spread evenly among them.
 
@@ -306,23 +209,4 @@ class TranslationalSweep(Operand):
         >>> frames.points.tolist(), frames.e1[0].tolist(), frames.contours[0].shape
         ([[0.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [0.0, 0.0, 1.0], (2, 4, 3))
         """
-        require_several(most)
-        sections, heights, loops = self.sections(), self.heights(), []
-        heights = heights[np.unique(np.linspace(0, len(heights) - 1, min(most, len(heights))).round().astype(int))]
-        for section in sections:
-            moves = self.drafted(section, heights).moves
-            weights, rings = self.laid(section, moves, heights)
-            loops += np.split(np.einsum("mk,kni->nmi", weights, rings), section.offsets[1:-1], axis=1)
-        s = (heights - heights[0]) / self.upright
-        ways = np.tile(self.direction / np.linalg.norm(self.direction), (len(heights), 1))
-        return Frames(s / s[-1], s, rings[0], ways, rings[1], rings[2], tuple(loops))
-
-
-@lru_cache(maxsize=16)
-def referred(contour, fit, reference, point):
-    """The sections of a contour with a point of its plane at the origin, made once for equal ones."""
-    sections = all_fitted(contour, fit)
-    if reference is Reference.ORIGIN:
-        return sections
-    origin = sections[0].centroid if reference is Reference.CENTROID else point
-    return tuple(replace(section, points=section.points - origin) for section in sections)
+        return extruding.frames(self, most)

@@ -15,6 +15,7 @@ from ...rings.domes import domes_of
 from ...rings.ends import Flat, Open, Round
 from ...rings.limits import Plane
 from ...shapes import directing
+from ...shapes.extruding import draft_of
 from ...shapes.revolving import rings_of
 from ...shapes.translational_sweep import Reference
 from ...stations.bending import Bending
@@ -115,7 +116,7 @@ def runs_backward(way, centroids):
 def of_translation(shape):
     """The way of a `TranslationalSweep`: its parameter is the height."""
     heights, sections = shape.heights(), [section for section in shape.sections() if section and section.closed]
-    drafts = [shape.drafted(section, heights) for section in sections]
+    drafts = [draft_of(shape, section, heights) for section in sections]
     moves = np.concatenate([draft.moves for draft in drafts]) if drafts else np.zeros(1)
     breaks, aside = heights[[0, -1]], np.zeros(3)
     if moves.any():
