@@ -12,8 +12,11 @@ import bmesh
 import bpy
 import numpy as np
 
+from ..core.later import later
 from .face_offsets import write_face_offsets
 from .own_arrays import Room
+
+carried = later("bridge.carried", "carried")
 
 TEXTURE = "UVMap"
 NAMES = (  # of what each key of a chart stands for
@@ -21,6 +24,7 @@ NAMES = (  # of what each key of a chart stands for
     ("u", "arc_length", "radius"),
     ("v", "colour", "birth", "axis", "order", "organ", "size", "rotation"),
 )
+KNOWN = {TEXTURE, "sharp_edge", "sharp_face", "material_index", *NAMES[1], *NAMES[2]}  # no person's own
 SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many: half a millisecond on each update
 SAME = 1e-6  # of the size: hosts differ in the last bit
 
@@ -71,7 +75,7 @@ def write(mesh, made, topology="", texture="", room=None):
     count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
     if not count or made.topology.sizes != topology.partition(".")[0]:
         values = values.copy() if room and room.holds(values) else values  # the mesh's own array will be another
-        write_topology(mesh, made.topology, len(made.vertices))
+        write_topology(mesh, made)
         room = None
         texture = ""
     elif made.topology.key != topology:
@@ -134,13 +138,16 @@ def equal(mesh, made):
     return bool(apart <= SAME * np.abs(made.vertices).max(initial=0.0) and (corners == made.corners).all())
 
 
-def write_topology(mesh, topology, vertices):
-    """Replace all faces and edges; those of a mesh that a person has shaded flat stay so."""
-    flat = is_flat(mesh)
-    empty = bmesh.new()  # clear_geometry() would delete the keyframes and drivers of the mesh
-    empty.to_mesh(mesh)
-    empty.free()
-    mesh.vertices.add(vertices)
+def write_topology(mesh, made):
+    """Replace all faces and edges; a mesh that a person has shaded flat stays so, with what they put on it."""
+    topology, flat, own = made.topology, is_flat(mesh), carried(mesh, made, KNOWN)
+    if own and own.has_weights:
+        own.lay_vertices(mesh)
+    else:
+        empty = bmesh.new()  # clear_geometry() would delete the keyframes and drivers of the mesh
+        empty.to_mesh(mesh)
+        empty.free()
+        mesh.vertices.add(len(made.vertices))
     mesh.edges.add(len(topology.edges))
     mesh.loops.add(len(topology.corners))
     mesh.polygons.add(len(topology.offsets) - 1)
@@ -150,6 +157,8 @@ def write_topology(mesh, topology, vertices):
     attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
     if flat:
         attribute(mesh, "sharp_face", "BOOLEAN", "FACE").data.foreach_set("value", np.ones(len(mesh.polygons), bool))
+    if own:
+        own.lay_arrays(mesh)
 
 
 def is_flat(mesh):
