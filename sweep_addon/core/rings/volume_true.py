@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..contours.fit import Fit
+from ..stations.frames import FixedUp
 from ..stations.leaps import leaping_steps
 from ..stations.rotations import turned
 from ..vectors import cross, dot, norms, unit
@@ -58,7 +59,8 @@ def volume_true(stations, rings, along, centroid, turn, reach):
     """
     rings = np.stack(rings)
     aside, x, y = rings
-    leaping = leaping_steps(along.frame, stations)
+    # a level frame leaps right before a mitre, which the ring there leans to as others on its leg do
+    leaping = leaping_steps(None if isinstance(along.frame, FixedUp) else along.frame, stations)
     places = stations.points + outward(stations, aside + centroid[0] * x + centroid[1] * y, leaping)
     before, after = chords(stations, places, leaping)
     bevels, fans = fanned(stations, rings)

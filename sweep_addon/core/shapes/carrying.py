@@ -169,8 +169,7 @@ def carried(sweep, section, along, stations, symmetry, turn):
         rings = volume_true(stations, rings, along, section.centroid, turn, farthest(section, change))
     else:
         # enclosing what a law changes over a lean would make the mesh bulge there
-        still = along.is_constant and not any(along.tapers)
-        leaning = farthest(section, change) if still or sweep.fit is Fit.INSCRIBED else 0.0
+        leaning = farthest(section, change) if along.keeps_legs or sweep.fit is Fit.INSCRIBED else 0.0
         rings = placed(stations, leaning, *rings)
     reach = farthest(section, change) * along.largest
     least = ROUNDING * np.abs(rings[0]).max()

@@ -13,7 +13,7 @@ from ..declared.frozen import frozen
 from ..declared.parameters import LARGEST, ShapeError, at, require
 from ..rings.ends import Taper
 from ..stations.cells import WIDEST_TURN
-from ..stations.frames import turn
+from ..stations.frames import FixedUp, turn
 from ..stations.leaps import leaps
 from ..stations.search import highest
 from ..trajectories.arc_length import arc_length
@@ -62,6 +62,12 @@ class Along:
     def is_constant(self):
         still = not self.spin and self.frame is None and self.change is None and not self.trajectory.carries
         return still and all(getattr(self, key).is_constant for key in LAWS)
+
+    @cached_property
+    def keeps_legs(self):
+        """Whether each straight leg has one cross-section: a level frame turns at corners, and nothing else does."""
+        level = replace(self, frame=None) if isinstance(self.frame, FixedUp) else self
+        return level.is_constant and not any(self.tapers)
 
     def unchanging(self):
         """The same for all laws whose values do not move the stations."""
