@@ -74,7 +74,7 @@ def items(operator, context):
 @cache
 def offered():
     # Kept: Blender does not hold on to the texts.
-    return [(preset.name.upper(), preset.title, "") for preset in presets.PRESETS]
+    return [(preset.name.upper(), preset.title, "", rna.number_of(preset.name)) for preset in presets.PRESETS]
 
 
 class MESH_OT_sweep_preset_add(Operator, AddObject):
@@ -84,7 +84,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
     bl_label = "Sweep Preset"
     bl_options = {"REGISTER", "UNDO"}
 
-    preset: EnumProperty(name="Preset", description="What to add", items=items)
+    preset: EnumProperty(name="Preset", description="What to add", items=items, default=rna.number_of("pipe"))
     follow: BoolProperty(
         name="Follow the Active Curve",
         description="Sweep a preset that is straight along the active curve, if that is selected",

@@ -142,9 +142,14 @@ def items_of(choices):
 
 
 def item(choice):
-    """An enum's item. Its number, from the name, is saved in files; keyframes add a half to it in float32: 23 bits."""
+    """An enum's item."""
     name, doc = spelled(choice, "_"), choice.value if isinstance(choice, Enum) else summary(choice)
-    return name.upper(), titled(choice), doc, zlib.crc32(name.encode()) % 2**23
+    return name.upper(), titled(choice), doc, number_of(name)
+
+
+def number_of(name):
+    """The number of an item, which is saved in files; keyframes add a half to it in float32: 23 bits."""
+    return zlib.crc32(name.encode()) % 2**23
 
 
 def only(types):

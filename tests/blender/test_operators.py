@@ -73,6 +73,11 @@ def test_preset_is_closed_and_valid_wherever_it_stands(scene, made_once, name):
     assert enclosed(bpy.context.active_object.data) == pytest.approx(volume)
 
 
+def test_the_preset_that_is_added_where_none_is_named_is_a_pipe(scene):
+    assert bpy.ops.mesh.sweep_preset_add() == {"FINISHED"}
+    assert bpy.context.active_object.name == "Pipe"
+
+
 @pytest.mark.parametrize("name", tried(p.name for p in presets.PRESETS if p.group == presets.GROWN))
 def test_preset_of_a_grammar_has_the_valid_mesh_of_its_shape(scene, name):
     assert bpy.ops.mesh.sweep_preset_add(preset=name.upper()) == {"FINISHED"}
