@@ -13,7 +13,8 @@ from .members import member
 from .motion.hash import portions
 from .sets.deformed import CHUNK as PAIRS
 from .sets.deformed import DeformedBody
-from .sets.moving_plane import SAME, MovingPlane
+from .sets.faces import SAME
+from .sets.moving_plane import MovingPlane
 
 CHUNK = 1 << 20  # pairs of points and panels at a time
 ALIKE = 1e-6  # of the figure, and of the way: images of one point that are nearer are one
@@ -106,7 +107,7 @@ def of_planes(plane, points):
         some = points[start : start + size]
         point, panel = np.repeat(np.arange(len(some)), len(smooth)), np.tile(smooth, len(some))
         point, panel, x = plane.planes.passing(some, point, panel)
-        images, _ = plane.images(some[point], plane.at(panel, x))
+        images, _ = plane.taken_back.images(some[point], plane.taken_back.at(panel, x))
         found.append((point + start, plane.panels.parameter(panel, x), images))
     point, parameter, images = (np.concatenate(part) for part in zip(*found, strict=True))
     if plane.way.closed:

@@ -20,23 +20,21 @@ from ...vectors import dot, norms
 from ..labels import IN, ON, OUT, TOUCHED, joined
 from ..motion.corners import with_corners
 from ..motion.hash import Boxes, Capsules, portions
-from ..motion.panels import PLACES, at_both, derivative, panels, powers, slopes
-from ..motion.planes import MIDDLE, NORMAL, SCALES, SPACE, Planes, X, Y, off
+from ..motion.panels import derivative, panels, powers
+from ..motion.planes import MIDDLE, SCALES, SPACE, Planes, off
 from ..motion.reach import chords
 from .domes import as_sweep, in_dome
+from .faces import SAME, Faces, outer
 from .plane_distance import PlaneDistance
+from .taken_back import UNCHANGED, TakenBack
 
 LOOKED = 65  # places where it is looked at how large everything is
 CHUNK = 1 << 15  # pairs of points and panels, and points, that fit into a processor's cache
 FINE = 6  # cells of the lattice in the side of a box
 ROOMS = 4  # lattices that are kept: a moving sweep is asked within several tolerances in turn
-SAME = 1e-9  # of the whole: parameters nearer than this are one
-NEAR = 30.0  # tolerances in the contour's plane: nearer to its boundary the distance from the surface is asked for
 ROUNDING = 1e-12  # of the size
 FOLD = 4.0  # tolerances: what is around a point is looked at not so far out
-UNCHANGED = 1e-10  # of its size: what stays so is the same
 SOME = 1 << 12  # pairs, for which it is worth knowing whether the sweep meets itself
-FAR = 1e150
 
 
 class MovingPlane:
@@ -75,8 +73,10 @@ class MovingPlane:
         self.box = np.stack((self.low.min(axis=0), self.high.max(axis=0)))
         for low, high in ends:
             self.box = np.stack((np.minimum(self.box[0], low), np.maximum(self.box[1], high)))
-        rounding = ROUNDING * norms(self.box[1] - self.box[0])
-        self.planes = Planes(self.panels, self.low, self.high, self.outer, rounding)
+        size = float(norms(self.box[1] - self.box[0]))
+        self.planes = Planes(self.panels, self.low, self.high, outer(way, self.panels), ROUNDING * size)
+        self.faces = Faces(way, self.panels, self.planes, self.cuts, size)
+        self.taken_back = TakenBack(self.region, self.panels, self.widest, self.reach)
 
     @cached_property
     def corners(self):
@@ -206,139 +206,29 @@ class MovingPlane:
             point, panel, most = point[later], panel[later], 2 * most
         return labels
 
-    def images(self, places, at):
-        """Places taken back into the contour's plane, and the same before the scale is: two (n, 2)."""
-        raw = np.stack([dot(places, at[:, axis][:, :3]) - at[:, axis][:, 3] for axis in (X, Y)], axis=1)
-        return raw / np.where(at[:, SCALES] == 0, 1 / FAR, at[:, SCALES]), raw
-
-    def at(self, panel, x, of=powers, first=X.start):
-        """The channels from one on, but those of space: (n, 14), 0 before."""
-        made = np.zeros((len(x), SPACE.start))
-        made[:, first:] = np.einsum("ncj,nj->nc", self.panels.series[panel, first : SPACE.start], of(x))
-        return made
-
     def sides(self, places, panel, x, tolerance):
         """Of hits, which are in the contour, (h,) bool, and which at a boundary: (h,) int8, 2 where others decide."""
         parameter = self.panels.parameter(panel, x)
-        if self.round_ is None:
-            depth = self.depths(places, panel, x, parameter, tolerance)
-        else:
-            depth = norms(places - np.einsum("ncj,nj->nc", self.middles[panel], powers(x))) - self.round_
-            near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
-            if len(near):
-                depth[near] = self.depths(places[near], panel[near], x[near], parameter[near], tolerance)
-        kept = self.cut_off(places, panel, parameter)
+        depth = self.taken_back.depths(places, panel, x, parameter, tolerance)
+        kept = self.faces.cut_off(places, panel, parameter)
         present = (depth <= tolerance) & (kept <= tolerance)
         if self.is_sheet:
-            face = self.at_ends(places, panel, tolerance, self.way.faces)
-            face |= np.abs(self.beyond_limits(places, parameter)) <= tolerance
+            face = self.faces.at_ends(places, panel, tolerance, self.way.faces)
+            face |= np.abs(self.faces.beyond_limits(places, parameter)) <= tolerance
             return np.zeros(len(x), dtype=bool), (present & ((depth >= -tolerance) | face)).astype(np.int8)
-        edge = self.at_ends(places, panel, tolerance)
+        edge = self.faces.at_ends(places, panel, tolerance)
         inside = (depth < -tolerance) & (kept < -tolerance) & ~edge
         contact = (present & ~inside).astype(np.int8)
-        for side, others in enumerate(self.leaps.T):
+        for side, others in enumerate(self.faces.leaps.T):
             here = np.flatnonzero(inside & (others[panel] >= 0))
             here = here[np.abs(off(places[here], self.planes.ends[side], panel[here])) <= tolerance]
             other, begin = others[panel[here]], np.full(len(here), (1.0, -1.0)[side])
-            beyond = self.depths(places[here], other, begin, parameter[here], tolerance) >= -tolerance
+            beyond = self.taken_back.from_region(places[here], other, begin, parameter[here], tolerance) >= -tolerance
             inside[here[beyond]], contact[here[beyond]] = False, 1
         folds = np.flatnonzero(~self.planes.falling[panel] & present)
         folds = folds[self.folded(places[folds], panel[folds], x[folds], tolerance)]
         inside[folds], contact[folds] = False, 2
         return inside, contact
-
-    def depths(self, places, panel, x, parameter, tolerance):
-        """How far images are from the contour's boundary, and near it hits from the surface, negative inside: (n,)."""
-        at = self.at(panel, x)
-        images, raw = self.images(places, at)
-        scales = np.abs(at[:, SCALES])
-        depth = self.region.depth(images, parameter) * scales.min(axis=1)
-        near = np.flatnonzero(np.abs(depth) <= NEAR * tolerance)
-        if len(near):
-            depth[near] = self.from_surface(places[near], panel[near], x[near], images[near], parameter[near])
-        depth[(norms(raw) <= tolerance) & (scales.max(axis=1) * self.reach <= tolerance * self.widest)] = 0.0  # a tip
-        return depth
-
-    @cached_property
-    def round_(self):
-        """The radius of a round contour that stays as it is, and leans nowhere; None of others."""
-        if not self.region.is_round:
-            return None
-        at = np.einsum("kcj,ij->kic", self.panels.series[:, : SCALES.stop], powers(PLACES))
-        scale, axes = at[0, 0, SCALES.start], np.stack([at[..., axis][..., :3] for axis in (NORMAL, X, Y)], axis=-2)
-        off = np.abs(np.einsum("kiac,kibc->kiab", axes, axes) - np.eye(3)).max()
-        off = max(off, np.abs(at[..., SCALES] / scale - 1).max()) if scale else np.inf
-        return abs(scale) * self.region.radius if off <= UNCHANGED else None
-
-    @cached_property
-    def middles(self):
-        """Where the contour's origin is in each panel: (k, 3, ORDER)."""
-        return np.ascontiguousarray(self.panels.series[:, MIDDLE])
-
-    def from_surface(self, places, panel, x, images, parameter):
-        """How far hits near the contour's boundary are from the surface, to first order: (n,).
-
-        The surface is where the contour's own distance f of the image Q vanishes. Where the plane passes through a
-        point, n . (P - m) = 0, so its place x has the gradient -n / (n . (P - m))', and f that of f_Q Q_P + f' grad x.
-        """
-        at, rate = (self.at(panel, x, of, first=0) for of in (powers, slopes))
-        depth, outward = self.region.exact(images, parameter)
-        scales = np.where(at[:, SCALES] == 0, 1 / FAR, at[:, SCALES])
-        along = np.stack([dot(places, rate[:, axis][:, :3]) - rate[:, axis][:, 3] for axis in (X, Y)], axis=1)
-        moving = dot(outward, (along - images * rate[:, SCALES]) / scales)
-        moving += self.region.growth(images, parameter) * (self.panels.end - self.panels.start)[panel] / 2
-        turning = dot(places, rate[:, :3]) - rate[:, 3]
-        x, y = ((outward / scales)[:, [i]] * at[:, axis][:, :3] for i, axis in enumerate((X, Y)))
-        ahead = (moving / np.where(turning == 0, 1 / FAR, turning))[:, None] * at[:, NORMAL][:, :3]
-        return depth / np.maximum(norms(x + y - ahead), 1 / FAR)
-
-    def cut_off(self, places, panel, parameter):
-        """How far places are beyond the planes that cut off their legs or the sweep, negative within: (n,)."""
-        beyond = self.beyond_limits(places, parameter)
-        cuts = self.cuts[panel] if self.cuts.any() else self.cuts[:0]
-        for plane in cuts.swapaxes(0, 1):
-            here = np.flatnonzero(plane.any(axis=1))
-            beyond[here] = np.maximum(beyond[here], dot(places[here], plane[here, :3]) - plane[here, 3])
-        return beyond
-
-    def beyond_limits(self, places, parameter):
-        """How far places are beyond the planes that cut off the sweep, negative within: (n,)."""
-        beyond = np.full(len(places), -np.inf)
-        for limit in self.way.limits:
-            here = np.flatnonzero((parameter >= limit.low) & (parameter <= limit.high))
-            beyond[here] = np.maximum(beyond[here], dot(places[here] - limit.point, limit.normal))
-        return beyond
-
-    @cached_property
-    def outer(self):
-        """Which panels begin or end where an open sweep does, in a face of its own: (k, 2) bool."""
-        found = np.zeros((len(self.panels.start), 2), dtype=bool)
-        smooth = np.flatnonzero(self.panels.start < self.panels.end)
-        found[smooth[[0, -1]], [0, 1]] = not self.way.closed
-        found[smooth[[0, -1]], [0, 1]] &= np.array(self.way.beyond) == 0
-        return found
-
-    def at_ends(self, places, panel, tolerance, faces=(True, True)):
-        """Whether hits are on the plane in which an open sweep begins or ends, where it has a face: (n,) bool."""
-        found = np.zeros(len(panel), dtype=bool)
-        for planes, outer, face in zip(self.planes.ends, self.outer.T, faces, strict=True):
-            here = np.flatnonzero(outer[panel] & face)
-            found[here] |= np.abs(off(places[here], planes, panel[here])) <= tolerance
-        return found
-
-    @cached_property
-    def leaps(self):
-        """Before and after which panel the contour turns at once within its plane: the other panel, or -1: (k, 2) int.
-
-        What is in one figure there and not in the other is a face.
-        """
-        found = np.full((len(self.panels.start), 2), -1)
-        smooth = np.flatnonzero(self.panels.start < self.panels.end)
-        before, after = (smooth, np.roll(smooth, -1)) if self.way.closed else (smooth[:-1], smooth[1:])
-        begin, end = at_both(self.panels.series[:, SPACE])
-        leaps = np.abs(begin[after] - end[before]).max(axis=1) > SAME * norms(self.box[1] - self.box[0])
-        found[before[leaps], 1], found[after[leaps], 0] = after[leaps], before[leaps]
-        return np.where(self.cuts.any(axis=2), -1, found)  # a corner cuts off each leg by itself
 
     def folded(self, places, panel, x, tolerance):
         """Whether so near to places the planes turn back that none may pass through some neighbour: (n,) bool."""

@@ -92,7 +92,7 @@ class Pairs:
             beyond = np.maximum(beyond, dot(places, plane[:, :3]) - plane[:, 3])
         if distance.plane.way.limits:
             parameter = distance.panels.parameter(self.panel[pair], x)
-            beyond = np.maximum(beyond, distance.plane.beyond_limits(self.places[pair], parameter))
+            beyond = np.maximum(beyond, distance.plane.faces.beyond_limits(self.places[pair], parameter))
         return beyond
 
     def off(self, terms, pair, x):

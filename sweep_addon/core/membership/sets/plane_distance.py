@@ -47,7 +47,7 @@ class PlaneDistance:
         self.folding = ~plane.planes.falling[own] & ~about_lines
         last = np.cumsum(counts) - 1
         self.smooth = int((self.panels.start < self.panels.end).sum())  # those beyond corners come last
-        begins, ends = (last - counts + 1)[plane.outer[:, 0]], last[plane.outer[:, 1]]
+        begins, ends = (last - counts + 1)[plane.planes.outer[:, 0]], last[plane.planes.outer[:, 1]]
         self.faces = [*((panel, -1.0) for panel in begins), *((panel, 1.0) for panel in ends)]
         self.faces += [(int(panel), x) for panel, x in self.turned_back(plane.planes.falling[own], parallel)]
         self.is_cut, self.is_folded = bool(self.cuts.any()), bool(self.folding.any())
