@@ -18,17 +18,22 @@ class OBJECT_OT_sweep_apply(Operator):
 
     @classmethod
     def poll(cls, context):
-        if any(map(objects.is_editable_sweep, chosen(context))):
+        if any(map(is_kept, chosen(context))):
             return True
         cls.poll_message_set("Select a sweep whose mesh is not linked from another file")
         return False
 
     def execute(self, context):
-        meshes = {ob.data for ob in filter(objects.is_editable_sweep, chosen(context))}
+        meshes = {ob.data for ob in filter(is_kept, chosen(context))}
         let_stand(meshes)
         for mesh in meshes:
             objects.forget(mesh)
         return {"FINISHED"}
+
+
+def is_kept(ob):
+    """Whether an object is a sweep whose mesh this file holds; of a library override it holds parameters alone."""
+    return objects.is_editable_sweep(ob) and not ob.data.override_library
 
 
 def chosen(context):

@@ -24,6 +24,7 @@ live, objects = later("properties.live"), later("bridge.objects")
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 PREVIEW = 2.6  # times as high as a line
+LINKED = "The mesh is linked from another file: make the mesh itself local, or a library override, to change it."
 
 
 class VIEW3D_PT_sweep(Panel):
@@ -50,7 +51,7 @@ class VIEW3D_PT_sweep(Panel):
             if context.mode == "OBJECT":
                 draw_shapes(layout)
         elif not ob.data.is_editable:
-            say(layout, "The mesh is linked from another file: make it local to change it.", "LINKED")
+            say(layout, LINKED, "LINKED")
         else:
             draw_sweep(layout, context, ob.data, say)
 

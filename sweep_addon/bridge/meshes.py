@@ -47,7 +47,12 @@ SCRATCH = Scratch()
 
 def room_for_places(mesh):
     """Where the vertices of a mesh may be drawn that is written next: `Room` in it, or beside it."""
-    return Room(mesh.attributes["position"].data, "vector", 3) if mesh.is_editable and len(mesh.vertices) else None
+    return Room(mesh.attributes["position"].data, "vector", 3) if takes_arrays(mesh) and len(mesh.vertices) else None
+
+
+def takes_arrays(mesh):
+    """Whether `foreach_set` writes into a mesh: one of another file, or its override, it leaves without a word."""
+    return mesh.is_editable and not mesh.override_library
 
 
 def write(mesh, made, topology="", texture="", room=None):
@@ -69,8 +74,8 @@ def write(mesh, made, topology="", texture="", room=None):
     mark : int
         What `mark` says of the mesh.
     """
-    if not mesh.is_editable:
-        return write_linked(mesh, made)
+    if not takes_arrays(mesh):
+        return write_through(mesh, made)
     values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()
     count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
     if not count or made.topology.sizes != topology.partition(".")[0]:
@@ -92,8 +97,8 @@ def write(mesh, made, topology="", texture="", room=None):
     return made.topology.key, "|".join(made.chart.keys), total(sample, len(made.vertices), len(made.corners))
 
 
-def write_linked(mesh, made):
-    """Write into a mesh of another file, on which `foreach_set` does nothing, without a word, and a bmesh does."""
+def write_through(mesh, made):
+    """Write into a mesh that takes no arrays: it takes a bmesh."""
     own = bpy.data.meshes.new(mesh.name)
     written = write(own, made)
     through = bmesh.new()

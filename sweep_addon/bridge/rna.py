@@ -26,6 +26,7 @@ texts = later("bridge.texts")
 
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (3.4028234663852886e38, 2**31 - 1)  # of a float32, and of an int32
+LOCAL = {"LIBRARY_OVERRIDABLE"}
 LIMITS = {"min", "max", "soft_min", "soft_max"}
 ASIDE = (Grammar, Values)  # a group has a text and sliders for them, an operator hidden text
 OBJECT = ("OBJECT", "Object", "An object of the scene", 0)
@@ -38,7 +39,8 @@ def annotations(declared, pointers=False, update=None):
     for p in declared:
         if p.item:
             if pointers:
-                made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **told(p))
+                kept = told(p) | {"override": LOCAL | {"USE_INSERTION"}}
+                made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **kept)
         elif pointers and p.type in ASIDE:
             made |= held_aside(p, update)
         else:
@@ -86,7 +88,7 @@ def held_aside(p, update):
 
 def told(p):
     """What people are told of a parameter's property."""
-    return {"name": label(p), "description": p.doc}
+    return {"name": label(p), "description": p.doc, "override": LOCAL}
 
 
 @cache
@@ -101,7 +103,7 @@ def item_group(kind, update):
 def define(p, update, *more):
     """The property of one parameter, whatever its name is where it is used; of a choice with more items."""
     default = stored(p, p.shown if p.default is None else p.default)
-    common = {"name": label(p), "description": p.doc, "default": default, "update": update}
+    common = {"name": label(p), "description": p.doc, "default": default, "update": update, "override": LOCAL}
     if p.type in ASIDE:
         return bpy.props.StringProperty(options={"HIDDEN"}, **common)
     if p.type is bool:

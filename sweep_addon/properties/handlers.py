@@ -69,6 +69,14 @@ def after_load(*_):
 
 
 @persistent
+def after_overrides(*_):
+    """A file holds the parameters of a library override, and of its mesh nothing: that comes from the library."""
+    for mesh in sweeps():
+        if mesh.override_library:
+            rebuild(mesh)
+
+
+@persistent
 def after_render(scene, *_):
     """A render leaves the mesh of its last frame behind: the frame that is shown comes back."""
     for mesh in sweeps():
@@ -115,6 +123,7 @@ HANDLERS = (
     (bpy.app.handlers.redo_post, after_history),
     (bpy.app.handlers.load_post, after_history),
     (bpy.app.handlers.load_post, after_load),
+    (bpy.app.handlers.load_post, after_overrides),
     (bpy.app.handlers.load_post, at_file),
 )
 

@@ -44,7 +44,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     """The shape that a mesh is made from, and how the last making went"""
 
     __annotations__ = {
-        **{name: bpy.props.PointerProperty(type=group) for name, group in GROUPS.items()},
+        **{name: bpy.props.PointerProperty(type=group, override=rna.LOCAL) for name, group in GROUPS.items()},
         "kind": bpy.props.EnumProperty(
             items=[("NONE", "None", "An ordinary mesh", 0), *rna.items_of(SHAPES)],
             options=set(),  # not animated: a mesh that is a sweep in some frames only could not say what it is
@@ -74,7 +74,7 @@ CLASSES = (rna.VALUES, *ITEMS, *GROUPS.values(), SWEEP_PG_sweep)
 def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.Mesh.sweep = bpy.props.PointerProperty(type=SWEEP_PG_sweep)
+    bpy.types.Mesh.sweep = bpy.props.PointerProperty(type=SWEEP_PG_sweep, override=rna.LOCAL)
 
 
 def unregister():

@@ -7,7 +7,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import curve, extent, parameters_of, places, square, straight, sweep
+from scenes import curve, extent, parameters_of, places, select, square, straight, sweep
 from write_format import DATA, SHAPE
 
 import sweep_addon as sw
@@ -110,6 +110,67 @@ def test_linked_sweep_made_local_is_live(saved):
     update()
     parameters_of(ob).trajectory_line_end = (0, 0, 7)
     assert extent(ob) == pytest.approx((1, 1, 7))
+
+
+@pytest.fixture
+def overridden(saved):
+    """The mesh of a linked sweep as a library override, on an object that is one too."""
+    empty()
+    with bpy.data.libraries.load(str(saved), link=True) as (_, here):
+        here.objects = ["keyed"]
+    linked = here.objects[0]
+    ob = linked.override_create(remap_local_usages=False)
+    bpy.context.scene.collection.objects.link(ob)
+    ob.data = linked.data.override_create(remap_local_usages=False)
+    update()
+    return ob
+
+
+def test_an_override_of_a_linked_mesh_is_live(overridden):
+    group = parameters_of(overridden)
+    group.trajectory_line_end = (0, 0, 7)
+    update()
+    assert extent(overridden) == pytest.approx((1, 1, 7)) and overridden.data.sweep.error == ""
+    group.contour_circle_points = 16
+    update()
+    assert len(overridden.data.vertices) == 32 and extent(overridden) == pytest.approx((1, 1, 7))
+    assert not overridden.data.sweep.edited and not overridden.data.validate()
+
+
+def test_fields_of_an_override_can_be_changed_in_the_sidebar(overridden):
+    own, others = parameters_of(overridden), parameters_of(sweep())
+    fields = [each for each in own.bl_rna.properties.keys() if each not in ("rna_type", "name")]
+    grey = [each for each in fields if own.is_property_readonly(each)]
+    assert overridden.data.is_editable and grey == [each for each in fields if others.is_property_readonly(each)]
+
+
+def test_contours_on_the_way_that_an_override_has_more_are_in_the_file(overridden, tmp_path):
+    select(overridden)
+    bpy.ops.object.sweep_item_add(parameter="morph")
+    item = parameters_of(overridden).morph[0]
+    item.contour, item.contour_circle_radius = "CIRCLE", 3
+    name, width = overridden.name, extent(overridden)
+    path = str(tmp_path / "overridden.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    assert width[0] == pytest.approx(6) and extent(bpy.data.objects[name]) == pytest.approx(width)
+
+
+def test_an_override_is_in_the_file_with_its_own_parameters(overridden, tmp_path):
+    parameters_of(overridden).trajectory_line_end = (0, 0, 7)
+    name, path = overridden.name, str(tmp_path / "overridden.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    empty()
+    bpy.ops.wm.open_mainfile(filepath=path)
+    ob = bpy.data.objects[name]
+    assert ob.data.override_library and extent(ob) == pytest.approx((1, 1, 7))
+    bpy.context.scene.frame_set(11)
+    assert extent(ob) == pytest.approx((5, 5, 7))
+
+
+def test_an_override_is_not_applied_since_its_mesh_is_the_other_files(overridden):
+    select(overridden)
+    assert not bpy.ops.object.sweep_apply.poll()
 
 
 def test_version_of_the_parameters_is_in_the_file(scene):
