@@ -62,7 +62,8 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
     def go_to(self, context, ob):
         """Edit an object that is the parameter already, and which is hard to click where the sweep lies round it.
 
-        An empty has nothing to edit: it is to be moved.
+        An empty has nothing to edit: it is to be moved. A sweep is edited by its parameters: what is done to its mesh
+        is lost when they change.
         """
         sentence = f"The {self.parameter} is the object {ob.name!r}"
         if ob.library or ob.data and ob.data.library:
@@ -76,7 +77,7 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
             other.select_set(False)
         ob.select_set(True)
         context.view_layer.objects.active = ob
-        if ob.data:
+        if ob.data and not objects.is_sweep(ob):
             bpy.ops.object.mode_set(mode="EDIT")
         return {"FINISHED"}
 

@@ -115,7 +115,7 @@ def draw_sweep(layout, context, mesh, say):
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
     names = {p.name for p in declared if p.accepts}
-    editable = [name for name in EDITABLE if name in names and (name != "body" or chosen_contour(group))]
+    editable = [name for name in EDITABLE if name in names and (name != "body" or edits_body(group))]
     for some in filter(None, (editable[:2], editable[2:])):
         row = layout.row(align=True)
         for name in some:
@@ -134,9 +134,9 @@ def draw_sweep(layout, context, mesh, say):
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
 
 
-def chosen_contour(group):
-    """Whether the body of an offset is one of the contours, and so may become a curve."""
-    return group.body in {spelled(kind, "_").upper() for kind in get_args(Contour)}
+def edits_body(group):
+    """Whether the body of an offset is one of the contours, and so may become a curve, or an object to go to."""
+    return group.body in {"OBJECT", *(spelled(kind, "_").upper() for kind in get_args(Contour))}
 
 
 def draw_self_intersections(layout, sweep, say):

@@ -7,7 +7,7 @@ import pytest
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from mathutils.bvhtree import BVHTree
-from scenes import add, curve, extent, parameters_of, select, straight, sweep
+from scenes import add, cube, curve, extent, parameters_of, select, straight, sweep
 
 import sweep_addon as sw
 from sweep_addon.bridge import objects
@@ -153,6 +153,18 @@ def test_what_is_a_curve_already_is_edited_and_not_made_one_again(scene):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert set(bpy.data.objects) == before and parameters_of(ob).trajectory_object == path
     assert extent(ob) == pytest.approx((6, 1, 2))
+
+
+@pytest.mark.parametrize("live", [True, False])
+def test_of_a_body_the_mesh_is_edited_and_of_a_sweep_the_parameters(scene, live):
+    """Edits of a mesh that is made of parameters are lost when one of these changes."""
+    body = sweep() if live else cube()
+    ob = add("offset", objects.new_mesh(sw.OffsetSurface(radius=0.1), body=body))
+    select(ob)
+    assert bpy.ops.object.sweep_edit_as_curve(parameter="body") == {"FINISHED"}
+    assert bpy.context.active_object == body and bpy.context.selected_objects == [body]
+    assert body.mode == ("OBJECT" if live else "EDIT")
+    bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def test_a_curve_that_is_hidden_is_not_edited(scene):

@@ -11,10 +11,11 @@ import pytest
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from layouts import Layout, context_of
-from scenes import curve, parameters_of, select, square, straight, sweep, text
+from scenes import add, cube, curve, parameters_of, select, square, straight, sweep, text
 
 import sweep_addon as sw
 from sweep_addon import presets
+from sweep_addon.bridge import objects
 from sweep_addon.bridge.rna import ASIDE
 from sweep_addon.core.declared.options import MEETING
 from sweep_addon.core.declared.parameters import inside, parameters, spelled
@@ -77,6 +78,11 @@ def test_a_sweep_shows_every_parameter_once_and_what_can_be_done(scene):
     assert {"object.sweep_apply", "object.sweep_copy", "object.sweep_edit_as_curve"} <= set(calls)
     assert "object.sweep_item_add" in calls
     assert "contour_circle_radius" in calls and "contour_rectangle_width" not in calls
+
+
+def test_a_body_that_is_an_object_can_be_gone_to(scene):
+    solid, given = (add("offset", objects.new_mesh(sw.OffsetSurface(), **body)) for body in ({}, {"body": cube()}))
+    assert "object.sweep_edit_as_curve" not in drawn(solid) and "object.sweep_edit_as_curve" in drawn(given)
 
 
 def test_an_extrusion_can_be_taken_apart_into_primitives(scene):
