@@ -16,7 +16,7 @@ from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
 from sweep_addon.core.shapes.rotational_sweep import RotationalSweep
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
-from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Nurbs, Polyline, Sampled, TorusKnot
 
 TRAJECTORIES = "line, arc, helix, torus-knot, polyline, bezier, nurbs, sampled, formula"
 CONTOURS = "circle, ellipse, rectangle, regular-polygon, star, superellipse, aerofoil, screw-thread, outline"
@@ -369,3 +369,25 @@ def test_equal_values_have_equal_hashes_and_digests():
     ):
         assert one == other and hash(one) == hash(other) and digest(one) == digest(other)
     assert Array([1, 2]) != Array([[1, 2]]) and digest(Circle(1)) != digest(Circle(1 + 1e-15))
+
+
+ASKED = [Line(), Arc(), Helix(), TorusKnot(), Polyline(THERE), Bezier(), Nurbs(), Sampled(), Formula()]
+
+
+@pytest.mark.parametrize("trajectory", ASKED, ids=lambda each: type(each).__name__)
+@pytest.mark.parametrize("asked", ["x", 0.5, None, ["a", "b"], [[0.5, 1.0]], 1j])
+def test_what_is_no_row_of_parameters_is_refused(trajectory, asked):
+    for question in (trajectory.evaluate, trajectory.derivative):
+        with pytest.raises(ShapeError, match="^u: must be a list or an array of numbers, got ") as refusal:
+            question(asked)
+        assert refusal.value.key == "u"
+
+
+def test_moving_by_what_is_no_length_names_the_axis():
+    with pytest.raises(ShapeError, match="^y: must be a number of metres, got 'up'$"):
+        TranslationalSweep().moved(1.0, "up")
+
+
+def test_the_mesh_of_a_tree_is_in_no_other_precision_than_that_of_a_shape():
+    with pytest.raises(ShapeError, match="^dtype: must be float32 or float64, got 'x'$"):
+        TranslationalSweep().mesh().astype("x")

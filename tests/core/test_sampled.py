@@ -8,8 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sweep_addon.core.contours import Circle
 from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.canal_surface import CanalSurface
+from sweep_addon.core.shapes.general_sweep import GeneralSweep
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.shapes.pd_curve_sweep import PDCurveSweep
 from sweep_addon.core.stations.frames import rotation_minimizing
 from sweep_addon.core.stations.rotations import rotated, signed_angle, wrapped
 from sweep_addon.core.stations.sampling import Tolerance, place, stations
@@ -100,6 +104,22 @@ def test_repeated_points_count_once():
     assert np.abs(Sampled(again).evaluate(u) - Sampled(points).evaluate(u)).max() == 0
     round_trip = np.concatenate((points, points[:1]))
     assert np.abs(Sampled(round_trip, closed=True).evaluate(u) - Sampled(points, closed=True).evaluate(u)).max() < 1e-14
+
+
+TWICE = Sampled([(0, 0, 0), (9, 0, 0), (9, 0, 0), (9, 9, 0)])
+AND_BACK = Sampled([(0, 0, 0), (0, 0, 0), (9, 0, 0), (9, 9, 0), (0, 0, 0)], closed=True)
+
+
+def test_points_that_do_not_count_are_told():
+    assert Sampled([(0, 0, 0), (9, 0, 0), (9, 9, 0)]).told == ()
+    assert TWICE.told == ("Trajectory: 1 of its 4 points repeats a neighbour and does not count.",)
+    assert AND_BACK.told == ("Trajectory: 2 of its 5 points repeat a neighbour and do not count.",)
+
+
+@pytest.mark.parametrize("shape", [GeneralizedCylinder, CanalSurface, PDCurveSweep, GeneralSweep])
+def test_every_shape_along_such_points_tells_of_them(shape):
+    generator = {"generator": Circle(0.1)} if shape is GeneralSweep else {}
+    assert TWICE.told[0] in shape(trajectory=TWICE, **generator).mesh().told
 
 
 def test_the_way_back_begins_with_a_hairpin():

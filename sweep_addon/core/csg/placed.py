@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A solid somewhere else: moved, turned, scaled or sheared."""
 
+from numbers import Real
+
 import numpy as np
 
 from ..declared.parameters import Array, declared, parameter, require
@@ -70,6 +72,8 @@ class Placed(Operand):
 
 def moved(solid, by):
     """A solid moved by (3,) metres; one that is placed already is placed once."""
+    for key, way in zip("xyz", by, strict=True):
+        require(isinstance(way, Real), "must be a number of metres", way, key)
     if isinstance(solid, Placed):
         matrix = solid.matrix.values.copy()
         matrix[:, 3] += by

@@ -170,7 +170,7 @@ class Envelope:
 
     @property
     def told(self):
-        """Sentences for people: where balls are swallowed, and where else the surface folds."""
+        """Sentences for people: what the trajectory says, where balls are swallowed, and where else it folds."""
         domain, generator = self.trajectory.domain, "disc" if self.shape.is_plane else "ball"
         said = [
             f"Radius: from {between(a, b, domain)} it changes faster than the path goes on: each {generator} lies"
@@ -186,7 +186,7 @@ class Envelope:
         turns = [PREFIX + turned(u, domain) for u in self.circles.turning_back]
         if len(turns) > TOLD:
             turns[TOLD:] = [f"{PREFIX}{len(turns) - TOLD} more such places."]
-        return (*said, *stretches_told(stations, values, backward), *turns)
+        return (*self.trajectory.told, *said, *stretches_told(stations, values, backward), *turns)
 
 
 def turned(u, domain):

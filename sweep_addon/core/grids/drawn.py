@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..declared.parameters import require
+from ..meshes.mesh import require_precise
 from ..vectors import product
 
 
@@ -41,12 +41,3 @@ def drawn(grid, weights, rings, dtype, empty=np.empty):
 def affine(points):
     """The weights of points that a place and two axes carry: (m, 3) float array of 1, x and y."""
     return np.column_stack((np.ones(len(points)), points))
-
-
-def require_precise(dtype):
-    """Refuse vertices in anything but single or double precision: in whole numbers all would be cut off."""
-    try:
-        precise = np.dtype(dtype) in (np.float32, np.float64)
-    except (TypeError, ValueError):
-        precise = False
-    require(precise, "must be float32 or float64", dtype, "dtype")

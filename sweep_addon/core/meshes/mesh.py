@@ -128,7 +128,8 @@ class Mesh:
         return f"{type(self).__name__}({len(self.vertices)} vertices, {len(self.offsets) - 1} faces)"
 
     def astype(self, dtype):
-        """The same mesh with vertices of another type."""
+        """The same mesh with vertices of another type, float32 or float64."""
+        require_precise(dtype)
         return replace(self, vertices=self.vertices.astype(dtype, copy=False))
 
     @property
@@ -304,3 +305,12 @@ class Mesh:
 def require_few(vertices, key):
     """Refuse a mesh of more vertices than fit into memory, before anything is done for it."""
     require(vertices <= MOST_VERTICES, f"must make at most {MOST_VERTICES:,} vertices", vertices, key)
+
+
+def require_precise(dtype):
+    """Refuse vertices in anything but single or double precision: in whole numbers all would be cut off."""
+    try:
+        precise = np.dtype(dtype) in (np.float32, np.float64)
+    except (TypeError, ValueError):
+        precise = False
+    require(precise, "must be float32 or float64", dtype, "dtype")

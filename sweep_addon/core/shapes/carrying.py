@@ -106,7 +106,7 @@ def moving(sweep):
 
 def laid_out(sweep, section, change, ends):
     """The laws of the sweep and what they leave; `GeneralizedCylinder.laid_out` says what."""
-    told, reach = change.told if change else (), farthest(section, change)
+    told, reach = sweep.trajectory.told + (change.told if change else ()), farthest(section, change)
     if sweep.rails and sweep.frame != RotationMinimizing():
         told += ("Frame: the rails turn the contour, and no frame.",)
     if sweep.trajectory.closed and any(isinstance(end, (Taper, Round)) for end in (sweep.start, sweep.end)):

@@ -68,12 +68,12 @@ def laid_out(sweep):
 
     Where the contour is beyond the centre of curvature everywhere, and so runs backward, it is seen in a mirror.
     """
-    section, told = section_of(sweep.contour, Fit.INSCRIBED), ()
+    section, told = section_of(sweep.contour, Fit.INSCRIBED), sweep.trajectory.told
     with at("trajectory"):
         total = arc_length(sweep.trajectory).total
         require_smooth(sweep.trajectory)
     if sweep.trajectory.closed and any(isinstance(limit, Plane) for limit in (sweep.start, sweep.end)):
-        told = ("Limits: a closed trajectory has no ends, so no plane cuts anything off.",)
+        told += ("Limits: a closed trajectory has no ends, so no plane cuts anything off.",)
     bending = Bending(sweep.trajectory, sweep.direction, total)
     reach = 0.0 if isinstance(sweep.samples, Count) else float(np.linalg.norm(section.points, axis=1).max())
     with at("direction"):

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..declared.parameters import angle, count, declared, length, parameter, require
 from ..later import later
-from .curve import Trajectory
+from .curve import Trajectory, row
 
 turning = later("core.trajectories.turning", "turning")
 
@@ -127,13 +127,13 @@ class TorusKnot(Trajectory):
         require(gcd(self.p, self.q) == 1, f"must share no factor with p, which is {self.p}", self.q, "q")
 
     def evaluate(self, u):
-        u = np.asarray(u, dtype=float)
+        u = row(u)
         ring = (self.major + self.minor * np.cos(self.q * u)) * np.exp(1j * self.p * u)
         return np.stack((ring.real, ring.imag, self.minor * np.sin(self.q * u)), axis=1)
 
     def derivative(self, u, order=1, before=False):
         # a sum of turning pointers, each of which a derivative multiplies by i times its rate
-        u, p, q, half = np.asarray(u, dtype=float), self.p, self.q, self.minor / 2
+        u, p, q, half = row(u), self.p, self.q, self.minor / 2
         about, through = np.exp(1j * p * u), np.exp(1j * q * u)
         times = {rate: (1j * rate) ** order for rate in (p, q, p + q, p - q)}
         ring = about * (times[p] * self.major + half * times[p + q] * through + half * times[p - q] * through.conj())

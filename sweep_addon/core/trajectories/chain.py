@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from .curve import Trajectory
+from .curve import Trajectory, row
 
 
 class Chain(Trajectory):
@@ -30,7 +30,7 @@ class Chain(Trajectory):
 
 def corner_cutting(u, control, before=False):
     """Points of polynomials with these Bezier points, by de Casteljau's algorithm: (n,) and (k, m, 3) to (n, 3)."""
-    u = np.asarray(u, dtype=float)
+    u = row(u)
     index = np.clip(np.ceil(u) - 1 if before else np.floor(u), 0, len(control) - 1).astype(int)
     along = (u - index)[:, None, None]
     points = control[index]

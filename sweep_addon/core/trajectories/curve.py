@@ -17,6 +17,16 @@ SHARPEST = cos(radians(179.99))  # a sharper turn is a reversal: its mitre would
 NONE = Array(())
 
 
+def row(u):
+    """Parameters as they are asked for, as numbers, (n,); anything else is refused."""
+    try:
+        numbers = np.asarray(u, dtype=float)
+    except (TypeError, ValueError):
+        numbers = None
+    require(numbers is not None and numbers.ndim == 1, "must be a list or an array of numbers", u, "u")
+    return numbers
+
+
 class Trajectory:
     """What every kind of trajectory can be asked; a kind gives `evaluate`, `derivative` and `domain`.
 
@@ -32,12 +42,14 @@ class Trajectory:
         What the curve itself scales the contour by and turns it by, in radians, at each of its points; empty: 1 and 0.
     too_sharp : (k,) int array
         Corners that a contour may not go round with a mitre; where there are any, `limited` has none of them.
+    told : tuple of str
+        Sentences for people: what was decided where the points left it open.
     """
 
     straight = False
     pace = axis = None
     radii = tilts = NONE
-    too_sharp = ()
+    too_sharp = told = ()
 
     @property
     def domain(self):
@@ -79,7 +91,7 @@ class Trajectory:
         Raises
         ------
         ShapeError
-            Where a formula has no finite value.
+            For anything but a row of numbers, and where a formula has no finite value.
 
         Examples
         --------

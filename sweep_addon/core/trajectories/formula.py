@@ -10,7 +10,7 @@ import numpy as np
 
 from ..declared.parameters import LARGEST, ShapeError, at, declared, parameter, require
 from ..later import later
-from .curve import Trajectory
+from .curve import Trajectory, row
 
 compile = later("core.formulas.expressions", "compile")
 Jet = later("core.formulas.jets", "Jet")
@@ -94,7 +94,7 @@ class Formula(Trajectory):
         return np.concatenate(([self.start], inner.mean(axis=1), [self.end]))
 
     def evaluate(self, u):
-        u = np.asarray(u, dtype=float)
+        u = row(u)
         found = []
         for key in AXES:
             with at(key):
@@ -102,7 +102,7 @@ class Formula(Trajectory):
         return np.stack(found, axis=1)
 
     def derivative(self, u, order=1, before=False):
-        u = np.asarray(u, dtype=float)
+        u = row(u)
         if len(self.breaks):
             near = np.clip(np.searchsorted(self.breaks[:, 0], u, side="right") - 1, 0, len(self.breaks) - 1)
             low, high = self.breaks[near].T

@@ -9,7 +9,7 @@ import numpy as np
 from ..declared.frozen import frozen, individual
 from ..declared.parameters import Array
 from ..vectors import norms, unit
-from .curve import NONE, SAME_DIRECTION, Trajectory
+from .curve import NONE, SAME_DIRECTION, Trajectory, row
 
 NOTHING = 1e-12  # of a leg: where two corners meet, rounding leaves no more of it
 
@@ -80,10 +80,10 @@ class Legs(Trajectory):
         return pieces(self)
 
     def evaluate(self, u):
-        return self.pieces.evaluate(np.asarray(u, dtype=float))
+        return self.pieces.evaluate(row(u))
 
     def derivative(self, u, order=1, before=False):
-        return self.pieces.derivative(np.asarray(u, dtype=float), order, before)
+        return self.pieces.derivative(row(u), order, before)
 
 
 @frozen

@@ -7,7 +7,7 @@ from math import dist
 import numpy as np
 
 from ..declared.parameters import declared, parameter, require
-from .curve import Trajectory
+from .curve import Trajectory, row
 
 
 @declared
@@ -33,12 +33,12 @@ class Line(Trajectory):
         require(self.start != self.end, "must differ from the start", list(self.end), "end")
 
     def evaluate(self, u):
-        u = np.asarray(u, dtype=float)[:, None]
+        u = row(u)[:, None]
         return (1 - u) * np.array(self.start) + u * np.array(self.end)
 
     def derivative(self, u, order=1, before=False):
         direction = np.subtract(self.end, self.start) if order == 1 else np.zeros(3)
-        return np.tile(direction, (len(u), 1))
+        return np.tile(direction, (len(row(u)), 1))
 
     @property
     def pace(self):

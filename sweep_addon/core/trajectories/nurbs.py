@@ -7,7 +7,7 @@ from math import comb
 import numpy as np
 
 from ..declared.parameters import Array, count, declared, parameter, points, require
-from .curve import Trajectory
+from .curve import Trajectory, row
 
 MOST = 50_000  # control points up to order 4, for which a few seconds are enough
 DEFAULT = ((0, 0, 0), (0, 0, 0.6), (0, 0.4, 1), (0, 1, 1))
@@ -78,7 +78,7 @@ class Nurbs(Trajectory):
 
     def between(self, values, u):
         """Values at the control points, blended as these are: (n,)."""
-        total, weight = self.homogeneous(np.asarray(u, dtype=float), 0, False, self.weighted(values[:, None])).T
+        total, weight = self.homogeneous(row(u), 0, False, self.weighted(values[:, None])).T
         return total / weight
 
     @property
@@ -103,7 +103,7 @@ class Nurbs(Trajectory):
         return self.derivative(u, 0)
 
     def derivative(self, u, order=1, before=False):
-        u = np.asarray(u, dtype=float)
+        u = row(u)
         curve = [self.homogeneous(u, k, before, self.control) for k in range(order + 1)]
         weight = curve[0][:, 3:]
         found = []

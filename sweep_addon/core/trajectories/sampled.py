@@ -51,6 +51,13 @@ class Sampled(Chain):
         return kept[:-1] if ends_again else kept
 
     @cached_property
+    def told(self):
+        """That some points do not count."""
+        again = len(self.points) - len(self.kept)
+        count = "repeats a neighbour and does not count" if again == 1 else "repeat a neighbour and do not count"
+        return (f"Trajectory: {again:,} of its {len(self.points):,} points {count}.",) if again else ()
+
+    @cached_property
     def segments(self):
         """The Bezier points of each quintic: (k, 6, 3)."""
         first, second, knots = derivatives(self.kept, self.closed)

@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..vectors import columns
+from .curve import row
 
 
 def turning(radius, u, rise, *orders):
@@ -31,7 +32,7 @@ def turning(radius, u, rise, *orders):
     >>> point.tolist(), velocity[:, 1:].tolist()
     ([[2.0, 0.0, 0.0]], [[2.0, 3.0]])
     """
-    u = np.asarray(u, dtype=float)
+    u = row(u)
     x, y = radius * np.cos(u), radius * np.sin(u)
     quarters = (x, y), (-y, x), (-x, -y), (y, -x)  # a derivative is a quarter of a turn ahead
     return tuple(placed(*quarters[order % 4], rise * u if order == 0 else rise * (order == 1)) for order in orders)

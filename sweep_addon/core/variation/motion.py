@@ -82,7 +82,7 @@ class Motion:
         for axis, law in enumerate(self.scales):
             with at(f"scale_{'xyz'[axis]}"):
                 scale[:, 0, axis] = law.evaluate(u, t, s)
-        return Poses(u, s, t, placed.points, matrix * scale, told)
+        return Poses(u, s, t, placed.points, matrix * scale, self.trajectory.told + told)
 
     def framed(self, placed):
         """The axes of the frame as columns, (n, 3, 3), and what is to be told of it."""

@@ -289,7 +289,7 @@ def read(kind, text, given):
     GrammarError
         With every line that is wrong, up to 200.
     """
-    require(isinstance(text, str), "must be text", text)
+    require(isinstance(text, str), "must be text", text, "text")
     check_length(text)
     try:
         told = Reader(translated(text), numbers(given)).read()
