@@ -21,7 +21,7 @@ from sweep_addon.core.stations.frames import (
 )
 from sweep_addon.core.stations.rotations import turned
 from sweep_addon.core.stations.sampling import Count, Tolerance, place, stations
-from sweep_addon.core.trajectories import Arc, Bezier, Helix, Line, Nurbs, Polyline, TorusKnot
+from sweep_addon.core.trajectories import Arc, Bezier, Formula, Helix, Line, Nurbs, Polyline, TorusKnot
 from sweep_addon.core.trajectories.curve import unit
 
 KNOT = TorusKnot(2, 3, 2.0, 0.8)
@@ -240,6 +240,29 @@ def test_fixed_up_goes_over_the_vertical_without_a_turn(samples):
     _, e2, _, told = framed(FixedUp(), VERTICAL_LOOP, Count(samples))
     assert np.abs(e2 - e2[0]).max() < 1e-12 and abs(abs(e2[0, 1]) - 1) < 1e-12
     assert told[0].startswith("Frame: the trajectory runs along the up direction near u = ")
+
+
+FIGURE_EIGHT = Formula("u^3-3*u", "u*(u^2-1)*(u^2-4)", "u^7-42*u", start=-3.2, end=3.2)  # Shastri 1992
+
+
+@pytest.mark.parametrize("samples", [Tolerance(1.5), Tolerance(0.15), Count(2000)])
+def test_fixed_up_is_level_where_a_long_path_bends_in_a_short_part_of_it(samples):
+    """Within a two-thousandth of this knot its level normal turns by more than a right angle; the y axis points up."""
+    tube = GeneralizedCylinder(Rectangle(1.0, 0.5), FIGURE_EIGHT, samples, FixedUp((0.3, 1, 0.2)))
+    swept = tube.swept()
+    e2, e3 = (unit(axis) for axis in swept.rings[1:])
+    assert np.abs(e2 @ (0.3, 1, 0.2)).max() < 1e-12 and (e3 @ (0.3, 1, 0.2)).min() > 0
+    assert not any("up direction" in sentence for sentence in swept.told)
+    if isinstance(samples, Tolerance):
+        assert (e2[1:] * e2[:-1]).sum(axis=1).min() > np.cos(np.radians(60))
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-5, 1e-4])
+def test_fixed_up_turns_little_between_contours_where_it_passes_the_vertical_closely(aside):
+    """Where it goes over the vertical it keeps its side, and so do contours that stand where it is vertical."""
+    path = Formula("cos(u+0.0004)", f"{aside}*u", "sin(u+0.0004)", start=-1.5, end=1.5)
+    _, e2, _, _ = framed(FixedUp(), path, Count(20001))
+    assert (e2[1:] * e2[:-1]).sum(axis=1).min() > np.cos(np.radians(5))
 
 
 def test_fixed_up_along_a_vertical_line_keeps_the_first_normal():

@@ -13,12 +13,13 @@ import numpy as np
 from ..declared.wording import near
 from ..trajectories.arc_length import arc_length
 from . import sampling
-from .frames import TOO_FAST, rotation_minimizing
+from .frames import TOO_FAST, FixedUp, Frenet, rotation_minimizing
 from .rotations import wrapped
 from .spreading import distinct
 
 PLACES = 2049  # where it is looked at how a frame turns, from each of which to the next it is continued
 TIE = 1e-6  # radians: where planes of two bends are square to each other, rounding must not choose the side
+PARTS = 16  # of a step in which a frame turns fast, that are looked at too: single precision still tells them apart
 SHORT = 4  # of them: over a longer stretch without a normal a frame turns evenly,
 LONGER = 205  # one that changes its side if it is longer than this, a tenth of the length
 
@@ -30,6 +31,25 @@ def evenly(trajectory):
     s = np.concatenate((np.linspace(0.0, measure.total, PLACES), measure.at(trajectory.stops())))
     s = distinct(s.clip(0.0, measure.total), sampling.SHORTEST_STEP * measure.total)
     s[-1] = measure.total
+    return s, sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
+
+
+@lru_cache(maxsize=16)
+def closely(frame, trajectory):
+    """The same as `evenly`, and more places between those from which a frame turns by more than `TOO_FAST` to the next.
+
+    So a bend that is small beside the path's length, and turns the frame by more than a right angle, is not taken for
+    one that brings it to its other side.
+    """
+    s, placed = evenly(trajectory)
+    if not isinstance(frame, Frenet | FixedUp):
+        return s, placed
+    normals, holonomy = rotation_minimizing(placed)
+    found, defined = frame.towards(placed, normals)
+    fast = too_fast(placed, found, defined, holonomy, tau / 2)
+    if not len(fast):
+        return s, placed
+    s = np.union1d(s, np.linspace(s[fast], s[fast + 1], PARTS + 1))
     return s, sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
 
 
@@ -54,19 +74,23 @@ def continued(frame, trajectory):
         Where it is first not defined, or turns by more than a right angle at once, as people read it.
     defined : bool
         Whether it is defined anywhere.
+    over : (2, k) float array
+        Between which places it goes on evenly though it is defined there: it keeps its side where that changes.
     """
-    s, placed = evenly(trajectory)
+    s, placed = closely(frame, trajectory)
     normals, holonomy = rotation_minimizing(placed)
     found, defined = frame.towards(placed, normals)
     if not defined.any():
-        return s, np.zeros(len(s)), tau, lost(placed, defined, None), False
+        return s, np.zeros(len(s)), tau, lost(placed, defined, None), False, np.zeros((2, 0))
     flips = flipping(fill(placed, found, defined, holonomy), placed, holonomy)
     angles = fill(placed, found, defined, holonomy, half=frame.keeps_its_side)
     period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
     if placed.closed:
         angles = np.append(angles, angles[-1] + nearest(angles[0] - holonomy - angles[-1], period))
+    over = too_fast(placed, found, defined, holonomy, tau)[: None if frame.keeps_its_side else 0]
+    over = np.stack((s[over], s[over + 1]))
     s, angles = leaping_at_once(s, angles, defined, frame, placed.closed)
-    return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips), True
+    return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips), True, over
 
 
 def leaping_at_once(s, angles, defined, frame, closed):
@@ -114,9 +138,10 @@ def along_path(frame, stations, found, defined):
     """The angles of a frame at stations, (n,), by those of its definition and where there are any, and the place where
     it is `continued` beyond that, or None.
     """
-    s, angles, period, place, _ = continued(frame, stations.trajectory)
+    s, angles, period, place, _, over = continued(frame, stations.trajectory)
     near_by = np.interp(stations.s, s, angles)
-    return np.where(defined, near_by + nearest(found - near_by, period), near_by), place
+    followed = defined & (np.searchsorted(over[0], stations.s) == np.searchsorted(over[1], stations.s, side="right"))
+    return np.where(followed, near_by + nearest(found - near_by, period), near_by), place
 
 
 def fill(stations, angles, known, holonomy, half=False):
@@ -154,7 +179,23 @@ def lost(stations, defined, flips):
 
 def flipping(angles, stations, holonomy):
     """Where the angle jumps by more than a quarter turn from one station to the next: (n - 1,) or (n,) bool."""
+    return np.abs(wrapped(turning(angles, stations, holonomy))) > tau / 4
+
+
+def too_fast(stations, found, defined, holonomy, period):
+    """The steps, (k,), in which an angle that is defined at both ends turns by more than `TOO_FAST`, but for corners.
+
+    Angles that differ by the period are one.
+    """
+    fast = np.abs(wrapped(turning(found, stations, holonomy), period)) > TOO_FAST
+    fast &= defined[stations.starts] & stations.ended(defined)
+    fast[stations.corners - 1] = False  # of a closed trajectory the last step leads to the first corner
+    return np.flatnonzero(fast)
+
+
+def turning(angles, stations, holonomy):
+    """By how much angles from the rotation-minimizing normals grow from one station to the next: (n - 1,) or (n,)."""
     step = stations.steps(angles)
     if stations.closed:
         step[-1] -= holonomy
-    return np.abs(wrapped(step)) > tau / 4
+    return step

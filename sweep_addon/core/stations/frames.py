@@ -21,7 +21,7 @@ from ..vectors import cross, unit
 rotated, signed_angle = later("core.stations.rotations", "rotated", "signed_angle")
 turned, wrapped = later("core.stations.rotations", "turned", "wrapped")
 transport = later("core.stations.transport", "transport")
-along_path, continued, evenly = later("core.stations.continuing", "along_path", "continued", "evenly")
+along_path, closely, continued = later("core.stations.continuing", "along_path", "closely", "continued")
 
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "Parallel", "RotationMinimizing"]
 
@@ -132,7 +132,7 @@ class Frenet(OfItsPlace):
         if self.continuation is Continuation.REFUSE:
             sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
             raise ShapeError(sentence, "frame.continuation")
-        if not continued(self, stations.trajectory)[-1]:
+        if not continued(self, stations.trajectory)[4]:
             return angles, ("Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",)
         return angles, (f"Frame: the curvature vanishes near u = {place}, where the Frenet frame is not defined.",)
 
@@ -247,12 +247,12 @@ def turn(frame, trajectory):
     Returns
     -------
     s : (n,) float array
-        Arc lengths in metres, evenly spaced from end to end.
+        Arc lengths in metres from end to end, closer to each other where the frame turns fast.
     angle : (n,) float array
         What it has turned about the tangent by then, in radians, jumps left out. Opposite sides count as one, as the
         frame goes on with either after an inflection.
     """
-    s, placed = evenly(trajectory)
+    s, placed = closely(frame, trajectory)
     normals, holonomy = rotation_minimizing(placed)
     angles = frame.angles(placed, normals, holonomy, 1)[0]
     if trajectory.closed:

@@ -8,12 +8,11 @@ from math import tau
 import numpy as np
 
 from . import sampling
-from .continuing import PLACES, SHORT, amid, evenly, once_round, shortly
+from .continuing import PARTS, PLACES, SHORT, amid, evenly, once_round, shortly
 from .frames import TOO_FAST, Continuation, FixedUp, Frenet, rotation_minimizing
 from .rotations import wrapped
 
 LEAST = 1e-3  # radians: a frame that turns less at a corner wrings nothing that could be seen
-PARTS = 16  # of a step with a leap, which is looked for in each: single precision still tells their ends apart
 
 
 @lru_cache(maxsize=16)
