@@ -3,6 +3,7 @@
 """Plain meshes that were sweeps stand by themselves: what carried one may be deleted, and nothing jumps."""
 
 import bpy
+from mathutils import Matrix
 
 from . import objects
 
@@ -19,14 +20,36 @@ def let_stand(meshes):
 
 def let_go(ob, inputs):
     """Take an object out of the space of whichever of some objects carries it."""
-    place = ob.matrix_world.copy()
     constraints = [each for each in ob.constraints if each.type == "CHILD_OF" and is_still(each.target, inputs)]
+    place = where(ob) if constraints else None
     for constraint in constraints:
         ob.constraints.remove(constraint)
     if is_still(ob.parent, inputs):
         hand_on(ob, ob.parent)
-    if constraints:
+    if constraints and ob.visible_get():
         ob.matrix_world = place
+    elif constraints:
+        ob.matrix_basis = carried(ob).inverted_safe() @ place
+
+
+def where(ob):
+    """Where an object is in the world.
+
+    Of what is hidden, or in another scene, Blender does not know it: its own numbers, its parents' and those of what
+    carries it by a constraint do.
+    """
+    if ob.visible_get():
+        return ob.matrix_world.copy()
+    place = carried(ob) @ ob.matrix_basis
+    for each in ob.constraints:
+        if each.type == "CHILD_OF" and each.target and not each.mute:
+            place = where(each.target) @ each.inverse_matrix @ place
+    return place
+
+
+def carried(ob):
+    """The space in the world in which an object's own numbers are."""
+    return where(ob.parent) @ ob.matrix_parent_inverse if ob.parent else Matrix()
 
 
 def hand_on(ob, carrier):

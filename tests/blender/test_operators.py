@@ -10,7 +10,7 @@ import pytest
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 import bmesh
-from mathutils import Vector
+from mathutils import Matrix, Vector
 from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text, tried
 
 import sweep_addon as sw
@@ -284,6 +284,58 @@ def test_an_applied_sweep_stays_also_where_it_is_not_seen_or_moves_by_itself(sce
     assert (hidden.parent, elsewhere.parent, keyed.parent) == (None, None, path)
     for ob in (hidden, elsewhere, keyed):
         assert tuple(ob.matrix_world.translation) == pytest.approx((1, 2, 0))
+
+
+@pytest.mark.parametrize("seen", ["hidden", "excluded", "elsewhere", "with its path"])
+def test_an_applied_twin_that_is_not_seen_stays_where_a_constraint_had_it(scene, seen):
+    """The path has moved since Blender last knew the twin's place; all of them are turned and scaled by a parent."""
+    path, follower, rig = straight(), add("follower", None), add("rig", None)
+    path.data.use_path, follower.parent = True, path
+    path.location, path.rotation_euler, path.scale = (1, 2, 3), (0.3, 0.2, 0.1), (2, 2, 2)
+    rig.location, rig.rotation_euler = (0, 0, 7), (0, 1, 0)
+    select(path)
+    bpy.ops.object.sweep_selected()
+    swept = bpy.context.active_object
+    twin = add("twin", swept.data)
+    objects.attach(twin, path)
+    twin.parent, twin.location = rig, (5, 0, 0)
+    bpy.context.view_layer.update()
+    assert [each.type for each in twin.constraints] == ["CHILD_OF"]
+    hide(twin, seen)
+    path.hide_viewport = seen == "with its path"
+    path.location.x, rig.location.x = 11, 4
+    bpy.context.view_layer.update()
+
+    select(swept)
+    assert bpy.ops.object.sweep_apply() == {"FINISHED"} and not twin.constraints
+
+    show(twin, seen)
+    bpy.context.view_layer.update()
+    path_there = Matrix.LocRotScale(path.location, path.rotation_euler, path.scale)
+    rig_there = Matrix.LocRotScale(rig.location, rig.rotation_euler, None)
+    expected = path_there @ rig_there @ Matrix.Translation((5, 0, 0))
+    assert np.allclose(twin.matrix_world, expected, atol=1e-4)
+
+
+def hide(ob, how):
+    """Take an object from sight: by its switch, by that of its collection, or into another scene."""
+    ob.hide_viewport = how in ("hidden", "with its path")
+    if how == "excluded":
+        aside = bpy.data.collections.new("aside")
+        bpy.context.scene.collection.children.link(aside)
+        bpy.context.view_layer.layer_collection.children["aside"].exclude = True
+        aside.objects.link(ob)
+    elif how == "elsewhere":
+        bpy.data.scenes.new("other").collection.objects.link(ob)
+    if how in ("excluded", "elsewhere"):
+        bpy.context.scene.collection.objects.unlink(ob)
+
+
+def show(ob, how):
+    """Bring it back."""
+    ob.hide_viewport = False
+    if how in ("excluded", "elsewhere"):
+        bpy.context.scene.collection.objects.link(ob)
 
 
 def copied(ob, form):
