@@ -87,6 +87,18 @@ def test_where_it_comes_back_it_has_no_ends_and_else_two():
     assert_solid(GeneralSweep(Rectangle(0.2, 0.1), ring, frame="rotation-minimizing", turn_z="pi/2*t").mesh(), 2)
 
 
+@pytest.mark.parametrize("frame", ["rotation-minimizing", "frenet", "fixed-up"])
+def test_a_closed_polyline_makes_the_same_ring_whether_it_starts_at_a_corner_or_amid_a_side(frame):
+    """At corners it stands in the bisector plane, no larger: the steps to them hold the mean of both ends."""
+    square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    for corners in (square, [(0.5, 0, 0), *square[1:], square[0]]):
+        path = Polyline(corners, closed=True)
+        ring = GeneralSweep(Rectangle(0.1, 0.1), path, Count(40), frame=frame)
+        assert_solid(ring.mesh(), 0)
+        assert ring.mesh().volume() == pytest.approx(0.1 * 0.1 * 4 * (1 - (1 - sqrt(0.5)) / 10), rel=1e-12)
+    assert_solid(GeneralSweep(Rectangle(0.1, 0.1), path, Count(40), frame=frame, turn_z="pi/3*t").mesh(), 2)
+
+
 def test_a_figure_that_runs_backward_looks_outward():
     down = GeneralSweep(Star(5), Line(end=(0, 0, -1))).mesh()
     assert down.volume() == pytest.approx(Star(5).section().area, rel=1e-12)

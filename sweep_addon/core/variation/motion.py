@@ -16,6 +16,7 @@ from ..formulas.expressions import compile
 from ..meshes.mesh import require_few
 from ..shapes.general_sweep import PLACES
 from ..stations.frames import Parallel, axes
+from ..stations.rotations import turned
 from ..stations.sampling import place, stations
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
@@ -169,7 +170,12 @@ class Motion:
         if not self.trajectory.closed:
             return False
         total = arc_length(self.trajectory).total
-        near = self.posed(points, self.at(np.array([0.0, total * SAME, total / 2, total * (1 - SAME)])))
+        placed = stations(self.trajectory, np.array([0.0, total * SAME, total / 2, total * (1 - SAME)]))
+        poses = self.poses(placed)
+        if 0 in placed.corners and not isinstance(self.frame, Parallel):  # there it stands in the bisector plane
+            ways = np.repeat((placed.leave[-1:], placed.tangent[:1]), 3, axis=1)
+            poses.matrix[-1] = turned(poses.matrix[-1].T, *ways).T
+        near = self.posed(points, poses)
         back = norms(near[3] - near[0]).max()
         return bool(back <= 100 * SAME * max(norms(near[2] - near[0]).max(), total))
 
