@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where a Frenet frame turns at once the contour does, and the sweep is not wrung through its own axis."""
 
+import json
 from math import atan, pi, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +12,9 @@ from solids import box
 
 from sweep_addon import classify
 from sweep_addon.core.contours import Outline, Rectangle
+from sweep_addon.core.meshes.facets import facets
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
+from sweep_addon.core.solids import Triangles
 from sweep_addon.core.stations.frames import Continuation, FixedUp, Frenet, RotationMinimizing
 from sweep_addon.core.stations.leaps import leaps
 from sweep_addon.core.stations.sampling import Count, Tolerance
@@ -139,6 +143,8 @@ def test_legs_of_a_climbing_handrail_stay_level_up_to_their_mitres(closed, sampl
     assert rail.solid().volume() == pytest.approx(mesh.volume(), rel=1e-4)
 
 
+LINES = json.loads((Path(__file__).parents[1] / "data" / "centrelines.json").read_text())["lines"]
+BACKBONE = next(np.array(line["points"]) for line in LINES if line["name"] == "1LCD_A_CA")
 DIAMOND = Polyline([(21.5, -21.5, -3), (21.5, -8.45, -3), (8.45, -21.5, -3)])  # a machine's, from its G-code
 
 
@@ -149,6 +155,19 @@ def test_solid_of_a_level_bar_of_any_fit_has_legs_up_to_their_mitres(fit):
     bar = GeneralizedCylinder(Rectangle(0.6, 0.3), DIAMOND, Tolerance(0.005), FixedUp((0.3, 1, 0.2)), fit=fit)
     for mesh in (bar.mesh(), bar.solid()):
         assert mesh.volume() == pytest.approx(0.6 * 0.3 * DIAMOND.length(), rel=2e-5)
+
+
+@pytest.mark.parametrize("start", [8, 32])
+def test_solid_of_a_level_bar_is_whole_where_curved_legs_meet(start):
+    """Handles through the atoms of a protein make a corner: what membership, without a mesh, has inside is inside."""
+    pytest.importorskip("manifold3d", reason="a solid across leaps is a union")
+    path = Bezier(BACKBONE[start : start + 7])
+    bar = GeneralizedCylinder(Rectangle(0.6, 0.3), path, Tolerance(5e-4), FixedUp((0.3, 1, 0.2)))
+    solid = bar.solid()
+    points = BACKBONE[start + 3] + np.random.default_rng(0).uniform(-1, 1, (10_000, 3))
+    points = points[classify(bar, points) > 0]
+    body = Triangles(solid.vertices, facets(solid)[0])
+    assert len(points) > 400 and (classify(body, points) < 0).mean() < 0.005
 
 
 def test_level_frame_leaps_at_no_corner_of_a_level_path():

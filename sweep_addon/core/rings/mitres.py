@@ -4,10 +4,12 @@
 
 import numpy as np
 
+from ..stations.continuing import PARTS, PLACES
 from ..vectors import dot, norms, unit
 from .bevels import bevels
 
 ROOM = 2.0  # times what a mitre lies back: its fan leaves of each step at least half, and at most adds as much
+BESIDE = (1 + 1e-6) / (PLACES * PARTS)  # of the trajectory's length: no farther before a corner a frame leaps there
 STRAIGHT = 1e-9  # of the trajectory's length: a station that is no farther off the line of its leg is on it
 
 
@@ -66,7 +68,7 @@ def leaned(stations, rings, reach):
         near = np.flatnonzero(inside & (np.abs(along) < fan[leg]))
         near = straight(stations, near, leg, corner, way, along, fan)
         at = leg[near]
-        share = (1 - np.abs(along[near]) / fan[at]) * most[at]
+        share = np.where(beside(stations, along[near]), 1.0, 1 - np.abs(along[near]) / fan[at]) * most[at]
         slope = np.divide(share, size[near], out=np.zeros_like(share), where=size[near] > 0)
         lean = slope[:, None] * unit(other - dot(other, way)[:, None] * way)[at]
         rings[:, near] -= np.einsum("aij,ij->ai", rings[:, near], lean)[..., None] * way[at]
@@ -110,6 +112,12 @@ def straight(stations, near, leg, corner, way, along, fan):
     """Those of some stations to which their leg goes straight from a corner; fans end before the first that is not."""
     at = corner[leg[near]]
     line = stations.points[at] + along[near, None] * way[leg[near]]
-    off = near[norms(stations.points[near] - line) > STRAIGHT * stations.total]
+    off = norms(stations.points[near] - line) > STRAIGHT * stations.total
+    off = near[off & ~beside(stations, along[near])]
     np.minimum.at(fan, leg[off], np.abs(along[off]))
     return near[np.abs(along[near]) < fan[leg[near]]]
+
+
+def beside(stations, along):
+    """Which of some ways along legs are so short that a frame leaps over them: there a ring leans as the mitre does."""
+    return np.abs(along) <= BESIDE * stations.total
