@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What people put on the mesh of a sweep, carried to a new topology: weights, colours and other attributes.
+"""What people put on the mesh of a sweep, carried to a new topology: weights, colours, UV maps and other attributes.
 
-Attributes are arrays. Weights are not, and Python reads and writes them one by one: a bmesh makes each new vertex after
-an old one, with all that this has.
+Attributes are arrays. Weights are not, and Python reads and writes them one by one: a bmesh makes each new vertex of
+the old ones that it lies between, with all that these have.
 """
 
 from collections import deque
@@ -12,12 +12,15 @@ from itertools import repeat
 import bmesh
 import bpy
 import numpy as np
+from bmesh.types import BMVert
 
 from ..core.grids.carrying import sources
 from ..core.grids.chart import Chart
 
 ORIGIN = (0.0, 0.0, 0.0)
 SIDES, CAP = 4, 4  # corners of a face between rings; and what stands for those of a face at an end
+SIDE_OF = np.array([(0, 1), (3, 2)])  # which corner is at the ring before and behind, at the own column and the next
+BLENDED = {"FLOAT", "FLOAT2", "FLOAT_VECTOR", "FLOAT_COLOR", "BYTE_COLOR"}  # whole numbers and turns are not
 ARRAYS = {  # of each type of attribute the property, how many numbers, of which kind
     "FLOAT": ("value", 1, np.float32),
     "INT": ("value", 1, np.int32),
@@ -37,17 +40,23 @@ class Carried:
     def __init__(self, mesh, own, found, topology):
         self.vertices, self.has_weights = found, has_weights(mesh)
         self.colours = {name: getattr(mesh.attributes, name) for name in ("active_color_name", "default_color_name")}
+        self.shown = {layer.name: (layer.active, layer.active_render) for layer in mesh.uv_layers}
         there = {"POINT": found}
         if any(each.domain != "POINT" for each in own):
             there["CORNER"], there["FACE"] = corners_and_faces(mesh, found, topology)
-        self.arrays = [(each.name, each.data_type, each.domain, read(each)[there[each.domain]]) for each in own]
+        self.arrays = [(each.name, each.data_type, each.domain, taken(each, there[each.domain])) for each in own]
 
     def lay_vertices(self, mesh):
-        """Empty a mesh of all but new vertices, each with the weights of the old one that it comes from."""
+        """Empty a mesh of all but new vertices, each with the weights of the old ones that it lies between."""
         through = bmesh.new()
         through.from_mesh(mesh, face_normals=False, vertex_normals=False)
         old = through.verts[:]
-        deque(map(through.verts.new, repeat(ORIGIN), [old[i] for i in self.vertices.tolist()]), maxlen=0)
+        before, behind = self.vertices.around
+        made = weighed(through, old, *before, self.vertices.across)
+        if self.vertices.along.any():
+            beyond = weighed(through, old, *behind, self.vertices.across)
+            blend(made, made, beyond, self.vertices.along)
+            old += beyond
         bmesh.ops.delete(through, geom=old, context="VERTS")
         through.to_mesh(mesh)
         through.free()
@@ -55,12 +64,38 @@ class Carried:
             mesh.attributes.remove(mesh.attributes[name])
 
     def lay_arrays(self, mesh):
-        """Give the new vertices, corners and faces of a mesh their values."""
+        """Give the new vertices, corners and faces of a mesh their values, and show of them what was shown."""
         for name, kind, domain, values in self.arrays:
             made = mesh.attributes.new(name, kind, domain)
             made.data.foreach_set(ARRAYS[kind][0], values.ravel())
         for name, colour in self.colours.items():
             setattr(mesh.attributes, name, colour)
+        for layer in mesh.uv_layers:
+            active, render = self.shown.get(layer.name, (False, False))
+            layer.active, layer.active_render = layer.active or active, layer.active_render or render
+
+
+def weighed(through, old, low, high, part):
+    """New vertices of a bmesh, each between two of the old ones: a list."""
+    first, second = ([old[i] for i in which.tolist()] for which in (low, high))
+    made = list(map(through.verts.new, repeat(ORIGIN), first))
+    blend(made, first, second, part)
+    return made
+
+
+def blend(made, first, second, part):
+    """Give vertices of a bmesh what lies between two others, but for those that are at the first."""
+    some = np.flatnonzero(part).tolist()
+    pairs = ((first[i], second[i]) for i in some)
+    deque(map(BMVert.copy_from_vert_interp, [made[i] for i in some], pairs, part[some].tolist()), maxlen=0)
+
+
+def taken(attribute, found):
+    """The values of an attribute where they are found for other vertices, corners or faces."""
+    values = read(attribute)
+    if attribute.data_type == "BOOLEAN":
+        return found.blended(values.astype(np.float32)) > 0.5
+    return found.blended(values) if attribute.data_type in BLENDED else values[found.nearest]
 
 
 def carried(mesh, made, known):
@@ -85,10 +120,10 @@ def carried(mesh, made, known):
 
 
 def is_own(attribute, known):
-    """Whether somebody has made an attribute that can be carried: no UV map, whose seams no vertex knows."""
+    """Whether somebody has made an attribute that can be carried."""
     if attribute.is_internal or attribute.is_required or attribute.name in known or attribute.domain == "EDGE":
         return False
-    return attribute.data_type in ARRAYS and (attribute.data_type, attribute.domain) != ("FLOAT2", "CORNER")
+    return attribute.data_type in ARRAYS
 
 
 def has_weights(mesh):
@@ -105,9 +140,11 @@ def read(attribute):
 
 
 def corners_and_faces(mesh, found, topology):
-    """The old corner that each new corner comes from, and the old face of each new one: (c,), (f,) int arrays.
+    """Between which old corners each new corner lies, and between which old faces each new one: two `Between`.
 
-    A corner comes from one of the old vertex, in a face that lies on the same side of it.
+    A corner has it from its vertex. Where that lies between old ones, the old corners are those of the face between
+    them, so nothing is mixed across a seam; where it is at one, the corner in a face on the same side of it. A face
+    has it from its first corner.
     """
     starts, cap = np.empty(len(mesh.polygons), np.int32), np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get("loop_start", starts)
@@ -116,10 +153,21 @@ def corners_and_faces(mesh, found, topology):
     face, kind = kinds(np.append(starts, len(corners)), cap)
     table = np.full((len(mesh.vertices), CAP + 1), -1)
     table[corners, kind] = np.arange(len(corners))
-    table = np.where(table < 0, table.max(axis=1, keepdims=True), table)
+    for some in (slice(CAP), slice(None)):  # at a tip, of a face round it; a cap's only where there is no other
+        table[:, some] = np.where(table[:, some] < 0, table[:, some].max(axis=1, keepdims=True), table[:, some])
     _, kind = kinds(topology.offsets, topology.material)
-    corner = table[found[topology.corners], kind]
-    return corner, face[corner[topology.offsets[:-1]]]
+    found = found.of(topology.corners)
+    corner = found._replace(around=table[found.around, facing(kind, found)])
+    first = corner.of(topology.offsets[:-1])
+    return corner, first._replace(around=face[first.around])
+
+
+def facing(kind, found):
+    """Which corner of the old face it is at each of the old vertices that new corners lie between: (2, 2, c) ints."""
+    own, ends = kind == SIDE_OF[:, :, None], np.arange(2)
+    behind = np.where(found.along > 0, ends[:, None, None], own[1].any(axis=0).astype(int))
+    beside = np.where(found.across > 0, ends[None, :, None], own[:, 1].any(axis=0).astype(int))
+    return np.where(kind == CAP, CAP, SIDE_OF[behind, beside])
 
 
 def kinds(offsets, material):

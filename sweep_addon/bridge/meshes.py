@@ -76,11 +76,12 @@ def write(mesh, made, topology="", texture="", room=None):
     """
     if not takes_arrays(mesh):
         return write_through(mesh, made)
+    own = None
     values = np.ascontiguousarray(made.vertices, dtype=np.float32).ravel()
     count = len(mesh.vertices) == len(made.vertices) and len(mesh.loops) == len(made.corners)
     if not count or made.topology.sizes != topology.partition(".")[0]:
         values = values.copy() if room and room.holds(values) else values  # the mesh's own array will be another
-        write_topology(mesh, made)
+        own = write_topology(mesh, made)
         room = None
         texture = ""
     elif made.topology.key != topology:
@@ -92,6 +93,8 @@ def write(mesh, made, topology="", texture="", room=None):
     else:
         mesh.attributes["position"].data.foreach_set("vector", values)
     write_texture(mesh, made.chart, texture.split("|") if texture.count("|") == 2 else ("", "", ""))
+    if own:
+        own.lay_arrays(mesh)
     mesh.update()
     sample = values.reshape(-1, 3)[sampled(len(made.vertices))]
     return made.topology.key, "|".join(made.chart.keys), total(sample, len(made.vertices), len(made.corners))
@@ -144,7 +147,13 @@ def equal(mesh, made):
 
 
 def write_topology(mesh, made):
-    """Replace all faces and edges; a mesh that a person has shaded flat stays so, with what they put on it."""
+    """Replace all faces and edges; a mesh that a person has shaded flat stays so.
+
+    Returns
+    -------
+    Carried or None
+        What else people put on it, to be laid on it last.
+    """
     topology, flat, own = made.topology, is_flat(mesh), carried(mesh, made, KNOWN)
     if own and own.has_weights:
         own.lay_vertices(mesh)
@@ -162,8 +171,7 @@ def write_topology(mesh, made):
     attribute(mesh, "material_index", "INT", "FACE").data.foreach_set("value", topology.material)
     if flat:
         attribute(mesh, "sharp_face", "BOOLEAN", "FACE").data.foreach_set("value", np.ones(len(mesh.polygons), bool))
-    if own:
-        own.lay_arrays(mesh)
+    return own
 
 
 def is_flat(mesh):

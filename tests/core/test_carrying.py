@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From one grid to another: the old vertex that lies where a new one does, measured in space."""
+"""From one grid to another: between which old vertices a new one lies, measured in space."""
 
 import numpy as np
 import pytest
@@ -34,57 +34,78 @@ SHAPES = {
 
 
 def found(before, after):
-    """The old vertex of each new one, from what a Blender mesh keeps of the old ones."""
+    """Between which old vertices the new ones lie, from what a Blender mesh keeps of the old ones."""
     known = before.attributes
     return sources(known["arc_length"].astype(np.float32), known["v"].astype(np.float32), after.chart)
 
 
-def distances(before, after):
-    """How far each new vertex is from the old one that it comes from."""
-    return np.linalg.norm(after.vertices - before.vertices[found(before, after)], axis=1)
+def tube(rings, points):
+    return GeneralizedCylinder(Circle(0.5, points=points), UP, Count(rings)).mesh()
 
 
 @pytest.mark.parametrize("name", SHAPES)
 def test_on_the_same_grid_each_vertex_is_its_own(name):
     made = SHAPES[name].mesh()
-    assert found(made, made).tolist() == list(range(len(made.vertices)))
+    assert found(made, made).nearest.tolist() == list(range(len(made.vertices)))
+    assert np.array_equal(found(made, made).blended(made.vertices), made.vertices)
 
 
 @pytest.mark.parametrize("rings", [2, 7, 41])
 @pytest.mark.parametrize("points", [3, 16, 100])
-def test_no_vertex_comes_from_farther_than_half_a_step(rings, points):
-    """On a straight tube the height and the angle are the lengths that count: 11 rings of 16 points."""
-    before = GeneralizedCylinder(Circle(0.5, points=16), UP, Count(11)).mesh()
-    after = GeneralizedCylinder(Circle(0.5, points=points), UP, Count(rings)).mesh()
-    here, there = after.vertices, before.vertices[found(before, after)]
-    turn = np.arctan2(here[:, 1], here[:, 0]) - np.arctan2(there[:, 1], there[:, 0])
-    assert np.abs(here[:, 2] - there[:, 2]).max() <= 0.05 + 1e-6
-    assert np.abs(np.angle(np.exp(1j * turn))).max() <= np.pi / 16 + 1e-6
+def test_on_a_straight_tube_a_new_vertex_lies_on_the_faces_of_the_old(rings, points):
+    """Its height is exact, as what is linear is; from the circle it is as far as a side of the polygon of 16."""
+    before, after = tube(11, 16), tube(rings, points)
+    there = found(before, after).blended(before.vertices)
+    assert np.abs(there[:, 2] - after.vertices[:, 2]).max() < 1e-6
+    turn = np.angle((there[:, 0] + 1j * there[:, 1]) * (after.vertices[:, 0] - 1j * after.vertices[:, 1]))
+    assert np.abs(turn).max() < 1e-2
+    assert np.linalg.norm(there[:, :2], axis=1).min() > 0.5 * np.cos(np.pi / 16) - 1e-6
+
+
+@pytest.mark.parametrize("points", [3, 16, 100])
+def test_the_nearest_is_no_farther_than_half_a_step(points):
+    before, after = tube(11, 16), tube(41, points)
+    there = before.vertices[found(before, after).nearest]
+    turn = np.angle((there[:, 0] + 1j * there[:, 1]) * (after.vertices[:, 0] - 1j * after.vertices[:, 1]))
+    assert np.abs(there[:, 2] - after.vertices[:, 2]).max() <= 0.05 + 1e-6
+    assert np.abs(turn).max() <= np.pi / 16 + 1e-6
+
+
+def test_one_step_after_another_nothing_drifts():
+    """As under a slider: what is linear along the path stays so."""
+    made = tube(11, 8)
+    height = made.vertices[:, 2]
+    for rings in (*range(12, 60), *range(58, 20, -1)):
+        made, before = tube(rings, 8), made
+        height = found(before, made).blended(height)
+    assert np.abs(height - made.vertices[:, 2]).max() < 1e-4
 
 
 @pytest.mark.parametrize("rings", [30, 61, 240])
 def test_a_closed_sweep_goes_on_from_its_last_ring_to_its_first(rings):
-    """A torus of radius 2 about 60 rings, whose steps are 2 pi 2 / 60 long."""
+    """Between two of 60 rings of a torus lies a chord, no farther from the arc than its sagitta."""
     before, after = (
         GeneralizedCylinder(Circle(0.1, points=8), Arc(2, 2 * np.pi), Count(count)).mesh() for count in (60, rings)
     )
-    assert distances(before, after).max() <= 2.1 * np.pi / 60 + 1e-6
+    apart = found(before, after).blended(before.vertices) - after.vertices
+    assert np.linalg.norm(apart, axis=1).max() <= 2.1 * (1 - np.cos(np.pi / 60)) + 1e-6
 
 
-def test_a_tip_is_carried_to_all_that_is_nearest_to_it():
-    """Of a cone of one ring and a tip, half of the height has what the ring had and half what the tip had."""
+def test_between_a_ring_and_a_tip_is_the_side_of_the_cone():
     before = SHAPES["cone"].mesh()
     after = GeneralizedCylinder(Circle(0.1, points=3), UP, Count(12), end=Taper(1.0)).mesh()
-    height = before.vertices[found(before, after), 2]
-    assert (height == (after.vertices[:, 2] > 0.5)).all()
+    assert np.allclose(found(before, after).blended(before.vertices), after.vertices, atol=1e-6)
 
 
-def test_poles_of_a_ball_stay_the_poles():
+def test_poles_of_a_ball_stay_near_the_poles():
+    """Columns begin a step beside a pole, which is another step where the ball is finer."""
     before = SHAPES["ball"].mesh()
     after = RotationalSweep(Outline(HALF.loops, bulges=HALF.bulges, tolerance=0.001)).mesh()
     pole = np.isclose(np.abs(after.vertices[:, 1]), 1)
     assert len(after.vertices) > len(before.vertices) and np.count_nonzero(pole) == 2
-    assert np.allclose(before.vertices[found(before, after)][pole], after.vertices[pole])
+    apart = found(before, after).blended(before.vertices)[pole] - after.vertices[pole]
+    step = np.linalg.norm(before.vertices[-1] - before.vertices[0])
+    assert np.linalg.norm(apart, axis=1).max() < step < 0.3
 
 
 def test_loops_keep_their_own_when_both_have_other_points():
@@ -95,13 +116,13 @@ def test_loops_keep_their_own_when_both_have_other_points():
     )
     inside = [np.linalg.norm(made.vertices[:, :2], axis=1) < 0.6 for made in (before, after)]
     assert len(after.vertices) > len(before.vertices)
-    assert (inside[0][found(before, after)] == inside[1]).all()
+    assert (inside[0][found(before, after).around] == inside[1]).all()
 
 
 def test_what_is_no_grid_is_not_carried():
-    tube = SHAPES["tube"].mesh()
-    assert found(joined([tube, tube]), tube) is None
-    assert found(joined([SHAPES["open"].mesh(), tube]), tube) is None
-    known = tube.attributes
-    some = np.random.default_rng(0).permutation(len(tube.vertices))[:200]
-    assert sources(known["arc_length"][some], known["v"][some], tube.chart) is None
+    made = SHAPES["tube"].mesh()
+    assert found(joined([made, made]), made) is None
+    assert found(joined([SHAPES["open"].mesh(), made]), made) is None
+    known = made.attributes
+    some = np.random.default_rng(0).permutation(len(made.vertices))[:200]
+    assert sources(known["arc_length"][some], known["v"][some], made.chart) is None
