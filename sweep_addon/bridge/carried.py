@@ -109,8 +109,10 @@ def carried(mesh, made, known):
     known : set of str
         The attributes that the sweep itself has.
     """
+    if not (isinstance(made.chart, Chart) and len(mesh.polygons)):
+        return None
     own = [each for each in mesh.attributes if is_own(each, known)]
-    if not (own or has_weights(mesh)) or not isinstance(made.chart, Chart):
+    if not (own or has_weights(mesh)):
         return None
     lengths = [mesh.attributes.get(name) for name in ("arc_length", "v")]
     if any(each is None or (each.data_type, each.domain) != ("FLOAT", "POINT") for each in lengths):

@@ -9,6 +9,7 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from scenes import curve, parameters_of, places, sweep
 
+from sweep_addon.bridge import carried
 from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.rings.ends import Taper
 from sweep_addon.core.stations.sampling import Count
@@ -193,3 +194,9 @@ def test_what_lies_on_no_grid_goes_as_before(scene):
     paint(ob.data, "mine", "FLOAT", "POINT", np.ones(len(ob.data.vertices)))
     parameters_of(ob).samples_count_contours = 5
     assert "mine" not in ob.data.attributes and ob.data.sweep.error == ""
+
+
+def test_where_nothing_is_put_on_a_mesh_nothing_is_looked_for(ob, monkeypatch):
+    monkeypatch.setattr(carried, "sources", None)
+    parameters_of(ob).samples_count_contours = 21
+    assert ob.data.sweep.error == "" and len(ob.data.vertices) == 21 * 8
