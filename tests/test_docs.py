@@ -23,6 +23,12 @@ EXAMPLES = [  # those of CONTRIBUTING.md are parts of files, and have a test of 
     if page.stem != "CONTRIBUTING"
     for i, example in enumerate(EXAMPLE.findall(page.read_text()))
 ]
+BLOCK = re.compile(r"^```toml\n(.*?)^```\n", re.DOTALL | re.MULTILINE)
+BLOCKS = [  # what is only a part of a job begins with ```toml part
+    pytest.param(text, id=f"{page.stem}-{i}")
+    for page in PAGES
+    for i, text in enumerate(BLOCK.findall(page.read_text()))
+]
 JOBS = [*CHECKOUT.glob("docs/*.toml"), *CHECKOUT.glob("docs/pictures/*.toml")]
 
 pytestmark = pytest.mark.skipif(not PAGES, reason="the installed zip has no docs")
@@ -60,6 +66,15 @@ def test_example_of_a_page_runs_by_itself_and_prints_what_stands_below(code, bel
     exec(code, {})
     printed = capsys.readouterr().out
     assert not (printed and below) or printed == dedent(below)
+
+
+@pytest.mark.parametrize("text", BLOCKS)
+def test_job_on_a_page_is_read(text):
+    job.parse(text, CHECKOUT / "docs")
+
+
+def test_jobs_are_found_on_pages():
+    assert {"jobs-0", "solid-0"} <= {block.id for block in BLOCKS}
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=spelled)
