@@ -56,7 +56,7 @@ def new_mesh(shape, name=None, **objects):
     return mesh
 
 
-def to_object(shape, name=None):
+def to_object(shape, name=None, **objects):
     """A shape as a live object of the scene; a tree as one with Boolean modifiers.
 
     Parameters
@@ -64,6 +64,8 @@ def to_object(shape, name=None):
     shape : a shape, a solid or a tree
     name : str, optional
         Of the object and its mesh; by default the shape's.
+    **objects : bpy.types.Object
+        Stand for parameters of a shape, as ``trajectory=curve``, which it follows from then on.
 
     Returns
     -------
@@ -83,16 +85,39 @@ def to_object(shape, name=None):
     >>> tube.data.sweep.generalized_cylinder.contour_circle_points = 8
     >>> len(tube.data.vertices)
     16
+
+    A pipe along a curve of the scene, which follows what becomes of that:
+
+    >>> import bpy
+    >>> curve = bpy.data.curves.new("rail", "CURVE")
+    >>> curve.splines.new("POLY").points.add(1)
+    >>> curve.splines[0].points[1].co = (0, 0, 2, 1)
+    >>> rail = bpy.data.objects.new("rail", curve)
+    >>> bpy.context.scene.collection.objects.link(rail)
+    >>> pipe = sw.to_object(sw.GeneralizedCylinder(sw.contours.Circle(0.05)), "pipe", trajectory=rail)
+    >>> pipe.parent == rail, len(pipe.data.vertices)
+    (True, 128)
     """
     require(name is None or isinstance(name, str), "must be text", name, "name")
+    require_standing(type(shape), objects)
     if isinstance(shape, Operand) and not isinstance(shape, SHAPES):
         return grove.to_object(shape, name)
-    mesh = new_mesh(shape, name)
+    mesh = new_mesh(shape, name, **objects)
     ob = bpy.data.objects.new(mesh.name, mesh)
     bpy.context.scene.collection.objects.link(ob)
+    if carrier(type(shape)) in objects:
+        attach(ob, objects[carrier(type(shape))])
     if has_poly_lines(mesh):
         axis_curves.show(ob)
     return ob
+
+
+def require_standing(shape, objects):
+    """Refuse objects for which a class of shapes has no place."""
+    places = [p.name for p in parameters(shape) if p.accepts] if shape in SHAPES else []
+    for key, ob in objects.items():
+        require(key in places, f"must be one of {', '.join(places)}" if places else "must not be given", key, "object")
+        require(isinstance(ob, bpy.types.Object), "must be an object of the scene", ob, key)
 
 
 def from_object(ob):

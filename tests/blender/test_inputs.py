@@ -322,3 +322,35 @@ def test_curve_with_an_open_spline_beside_a_cyclic_one_is_swept_with_its_danglin
     assert "regularize: must be off where no part is solid, got '1 surface (2D)" in ob.data.sweep.error
     ob.data.sweep.translational_sweep.regularize = False
     assert ob.data.sweep.told == "Parts: 1 surface (2D), 1 curve (1D); 1 dangling edge." and not ob.data.sweep.error
+
+
+def test_a_script_gives_objects_of_the_scene_by_the_names_of_parameters(scene):
+    path, outline = straight(), square()
+    path.location.x = 3
+    ob = sw.to_object(sw.GeneralizedCylinder(), "rail", trajectory=path, contour=outline)
+    assert ob.parent == path and ob.name == "rail"
+    path.data.splines[0].points[1].co.z = 5
+    update()
+    assert extent(ob) == pytest.approx((1, 1, 5)) and ob.matrix_world.translation.x == 3
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"trajectry": None}, "object: must be one of contour, trajectory, got 'trajectry'"),
+        ({"trajectory": 7}, "trajectory: must be an object of the scene, got 7"),
+        ({"trajectory": "mesh"}, "trajectory: must be a curve object, got 'mesh'"),
+    ],
+)
+def test_objects_that_cannot_stand_for_parameters_are_refused(scene, given, sentence):
+    given = {key: sweep() if value == "mesh" else value for key, value in given.items()}
+    before = len(bpy.data.meshes), len(bpy.data.objects)
+    with pytest.raises(sw.ShapeError) as refusal:
+        sw.to_object(sw.GeneralizedCylinder(), **given)
+    assert str(refusal.value) == sentence
+    assert (len(bpy.data.meshes), len(bpy.data.objects)) == before
+
+
+def test_a_shape_that_is_given_an_object_says_where_it_belongs(scene):
+    with pytest.raises(sw.ShapeError, match=r"sw\.to_object\(shape, trajectory=ob\)"):
+        sw.GeneralizedCylinder(trajectory=straight())

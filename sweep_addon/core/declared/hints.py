@@ -64,6 +64,8 @@ def hint(names, value):
         return f": say {value.__name__}()"
     if callable(value) and "constant" in names:
         return ': say a formula in text, as "2*pi*t"'
+    if hasattr(value, "bl_rna"):
+        return ": say it of an object of Blender where the shape is made one, sw.to_object(shape, trajectory=ob)"
     if value is None and "constant" in names:
         return ': say a number, a formula in text, as "2*pi*t", or a list of points [t, value]'
     return ""

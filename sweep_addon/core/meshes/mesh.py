@@ -175,6 +175,22 @@ class Mesh:
         """
         return self.topology.edges
 
+    @cached_property
+    def triangles(self):
+        """The triangles into which the faces are cut, for programs that know no others: (t, 3) int32 array.
+
+        Counter-clockwise from outside, of the same vertices.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.solids import Block
+        >>> Block().mesh().triangles.shape
+        (12, 3)
+        """
+        from .facets import facets
+
+        return facets(self)[0]
+
     @property
     def rings(self):
         """How many contours stand along the trajectory."""
