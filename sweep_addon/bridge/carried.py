@@ -14,7 +14,7 @@ import bpy
 import numpy as np
 from bmesh.types import BMVert
 
-from ..core.grids.carrying import sources
+from ..core.grids.between import sources
 from ..core.grids.chart import Chart
 
 ORIGIN = (0.0, 0.0, 0.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.grids.carrying import sources
+from sweep_addon.core.grids.between import sources
 from sweep_addon.core.meshes.joining import joined
 from sweep_addon.core.rings.ends import Open, Taper
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
