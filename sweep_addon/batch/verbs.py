@@ -10,6 +10,8 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
+
 from ..core.declared import description
 from ..core.declared.parameters import ShapeError, require
 from ..core.self_intersection.places import Places
@@ -85,12 +87,26 @@ def check(told):
             with pointing_at(job):
                 mesh = job.shape.mesh()
                 found = meeting(job.shape)
-            say(f"{path}: {len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces")
+            counts = f"{len(mesh.vertices):,} vertices and {len(mesh.offsets) - 1:,} faces"
+            say(", ".join(filter(None, (f"{path}: {counts}", size(mesh.vertices)))))
             warn(path, found.in_place_of(mesh.told))
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
             code = max(code, code_of(refusal))
     return code
+
+
+def size(vertices):
+    """The sides of the box that holds vertices, in words of three digits each; nothing where there are none.
+
+    >>> size([(0.0, 0.0, 0.0), (0.4, 1250.4, 0.0305)])
+    '0.4 x 1250 x 0.0305 m'
+    """
+    if not len(vertices):
+        return ""
+    sides = np.ptp(vertices, axis=0)
+    digits = np.maximum(2 - np.floor(np.log10(np.maximum(sides, 1e-9 * sides.max() + 1e-300))), 0).astype(int)
+    return f"{' x '.join(f'{round(float(side), int(kept)):.9g}' for side, kept in zip(sides, digits, strict=True))} m"
 
 
 def meeting(shape):

@@ -52,6 +52,22 @@ def test_check_answers_for_each_job(tmp_path, job, capsys):
     assert told.out.startswith(str(job))
 
 
+@pytest.mark.parametrize(
+    ("width", "height", "along", "said"),
+    [
+        (0.4, 0.3, 0.12, "0.4 x 0.3 x 0.12 m"),
+        (400, 300, 120.04, "400 x 300 x 120 m"),  # millimetres that were taken for metres
+        (1234.56, 0.0123456, 1, "1235 x 0.0123 x 1 m"),
+    ],
+)
+def test_check_says_how_large_a_shape_is(tmp_path, capsys, width, height, along, said):
+    path = tmp_path / "block.toml"
+    outline = f'{{ kind = "rectangle", width = {width}, height = {height} }}'
+    path.write_text(f'kind = "translational-sweep"\ncontour = {outline}\nheight = {along}\n')
+    assert main(["check", str(path)]) == 0
+    assert capsys.readouterr().out == f"{path}: 8 vertices and 6 faces, {said}\n"
+
+
 def test_check_tells_every_mistake_of_a_job_in_a_line(tmp_path, job, capsys):
     job.write_text(
         job.read_text().replace("rounding = 0.0", "rounding = -1").replace("width = 0.5", "widht = 0.5") + "wdith = 3\n"
