@@ -8,10 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contour_inputs import OUTLINES, drawn
 from solids import box
 
 from sweep_addon import classify
 from sweep_addon.core.contours import Outline, Rectangle
+from sweep_addon.core.meshes.components import components
 from sweep_addon.core.meshes.facets import facets
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.solids import Triangles
@@ -168,6 +170,23 @@ def test_solid_of_a_level_bar_is_whole_where_curved_legs_meet(start):
     points = points[classify(bar, points) > 0]
     body = Triangles(solid.vertices, facets(solid)[0])
     assert len(points) > 400 and (classify(body, points) < 0).mean() < 0.005
+
+
+@pytest.mark.thorough
+def test_solid_across_leaps_has_no_specks():
+    """A machine part along the handles of a road: where its parts all but meet, the union had bodies of no volume."""
+    pytest.importorskip("manifold3d", reason="a solid across leaps is a union")
+    part = drawn(next(outline for outline in OUTLINES if outline["id"] == "prusa3-001"))
+    corners = np.array(part.loops[0]) - part.section().centroid
+    corners *= 26.6 / np.linalg.norm(part.section().points - part.section().centroid, axis=1).max()
+    road = next(line["points"] for line in LINES if line["name"] == "visnjan_road")[27:70]
+    solid = GeneralizedCylinder(Outline([corners], part.bulges), Bezier(road), Tolerance(0.266), Frenet()).solid()
+    assert len(solid.boundary_edges()) == len(solid.non_manifold_edges()) == 0
+    assert len(np.unique(solid.vertices.astype(np.float32), axis=0)) == len(solid.vertices)
+    triangles, _ = facets(solid)
+    shell = components(len(solid.vertices), np.concatenate((triangles[:, :2], triangles[:, 1:])))[triangles[:, 0]]
+    a, b, c = (solid.vertices - solid.vertices.mean(axis=0))[triangles].swapaxes(0, 1)
+    assert np.abs(np.bincount(shell, np.einsum("ij,ij->i", np.cross(a, b), c))[np.unique(shell)]).min() > 1e-6
 
 
 def test_level_frame_leaps_at_no_corner_of_a_level_path():

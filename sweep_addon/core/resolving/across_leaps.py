@@ -4,7 +4,8 @@
 
 import numpy as np
 
-from ..meshes.booleans import union
+from ..meshes.booleans import body_of, united
+from ..meshes.polyhedron import polyhedron
 from ..stations import sampling
 from ..stations.continuing import evenly
 from ..stations.frames import axes
@@ -13,6 +14,7 @@ from ..vectors import dot
 from .of_rings import solid_of_rings
 from .resolve import closed
 from .rings import Rings
+from .tidying import tidied_arrays
 
 FAR = np.cos(np.radians(45))  # a contour that turns less at once has faces that do not cross each other
 
@@ -51,7 +53,7 @@ def across_leaps(mesh, before, progress=None):
         parts.append(solid_of_rings(places, offsets=rings.grid.offsets))
         if progress:
             progress((number + 1) / (len(first) + 1))
-    return union(parts)
+    return polyhedron(*tidied_arrays(united(map(body_of, parts))))
 
 
 def beside(rings, ring, other):

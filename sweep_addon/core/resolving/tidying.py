@@ -10,6 +10,7 @@ from .contracting import contracted
 from .drawing_apart import drawn_apart
 from .flipping import flipped
 from .heights import heights
+from .shells import without_specks
 from .stars import touching
 
 STEPS = 2.0  # of single precision: corners that are so far apart, and triangles so high, remain when they are rounded
@@ -64,8 +65,10 @@ def tidied(vertices, triangles, faces, cuts):
 
 
 def tidied_arrays(body):
-    """The vertices (n, 3) and triangles (t, 3) of a body, tidied, each vertex of some triangle."""
-    vertices, triangles, faces = tidied(*arrays(body), ())
+    """The vertices (n, 3) and triangles (t, 3) of a body, tidied and without specks, each vertex of some triangle."""
+    vertices, triangles, faces = arrays(body)
+    large = without_specks(vertices, triangles)
+    vertices, triangles, _ = tidied(vertices, triangles[large], faces[large], ())
     used, triangles = np.unique(triangles, return_inverse=True)
     return vertices[used], triangles.reshape(-1, 3)
 
