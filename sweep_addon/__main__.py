@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""``python -m sweep_addon VERB ...``: the verbs of ``blender --command sweep``, where Blender is a Python module."""
+"""``sweep VERB ...`` or ``python -m sweep_addon VERB ...``: the verbs of ``blender --command sweep``, where Blender is
+a Python module or there is none."""
 
 import os
 import sys
@@ -26,5 +27,10 @@ def run():
         return 1
 
 
-if __name__ == "__main__":
+def begin():
+    """What ``python -m sweep_addon`` does, and the command ``sweep`` that pip installs."""
     leave(run())
+
+
+if __name__ == "__main__":
+    begin()

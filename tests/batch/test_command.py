@@ -9,6 +9,7 @@ import re
 import struct
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -238,6 +239,20 @@ def test_python_runs_the_library_as_a_program(job):
     if "No module named" in done.stderr:
         pytest.skip("this host's Python is started by Blender alone")
     assert (done.returncode, done.stderr) == (0, "") and done.stdout.startswith(str(job))
+
+
+def test_command_that_pip_installs_is_the_same_program(job):
+    entry = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["scripts"]["sweep"]
+    module, function = entry.split(":")
+    script = f"import sys; from {module} import {function}; sys.exit({function}())"  # as pip writes it
+    wrong = job.with_name("wrong.toml")
+    wrong.write_text("kind = 3")
+    done = subprocess.run(
+        [sys.executable, "-c", script, "check", str(job), str(wrong)], cwd=CHECKOUT, capture_output=True, text=True
+    )
+    if "No module named" in done.stderr:
+        pytest.skip("this host's Python is started by Blender alone")
+    assert done.returncode == 2 and done.stdout.startswith(f"{job}: ") and done.stderr.startswith(f"{wrong}:1: kind: ")
 
 
 @pytest.mark.parametrize(
