@@ -39,7 +39,7 @@ def read(path):
             raise ShapeError(
                 f"{path}: must be a grammar, got a job, which `check`, `build` and `render` take"
             ) from None
-        raise ShapeError("\n".join(placed(path, problem) for problem in refusal.problems)) from None
+        raise ShapeError("\n".join(problem.placed(path) for problem in refusal.problems)) from None
     except ShapeError as refusal:
         raise ShapeError(f"{path}: {refusal}") from None
 
@@ -47,12 +47,6 @@ def read(path):
 def received(path):
     """The bytes of a file, or of standard input."""
     return limited(sys.stdin.buffer, LONGEST) if path == STANDARD_INPUT else contained(Path(path), LONGEST)
-
-
-def placed(path, problem):
-    """A problem as editors find its place."""
-    said = f"expected {problem.expected}, found {problem.found}"
-    return f"{path}:{problem.line}:{problem.column}: {said}\n{problem.shown}"
 
 
 def derive(told):

@@ -22,6 +22,7 @@ from ..core.declared.parameters import (
     shown,
     spelled,
 )
+from ..core.declared.refusals import MOST
 from ..core.rings.corners import Corner, Mitre
 from ..core.shapes import growing
 from ..core.shapes.operand import Operand
@@ -117,7 +118,10 @@ def grammar(reference, folder):
     try:
         growing.read(Grammar(text))  # which keeps it for the plant
     except ShapeError as refusal:
-        raise ShapeError(f"{told.file}: {refusal}", "file") from None
+        problems = getattr(refusal, "problems", ())
+        places = [problem.placed(path) for problem in problems[:MOST]]
+        places += [f"{path}: and {len(problems) - MOST} more"] * (len(problems) > MOST)
+        raise ShapeError("\n".join(places) or f"{told.file}: {refusal}", "file") from None
     return text, path
 
 

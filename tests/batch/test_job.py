@@ -299,12 +299,15 @@ def test_mistakes_beside_that_of_a_grammar_in_a_tree_are_told_too(tmp_path):
     assert [each.key for each in refusal.value.each()] == ["base.system", "base.step"]
 
 
-def test_a_mistake_in_the_file_of_a_grammar_is_told_with_its_name(tmp_path):
-    (tmp_path / "bad.l").write_text("axiom: F\nF -> [\n")
-    (tmp_path / "koch.toml").write_text('kind = "plant"\nsystem = { file = "bad.l" }\n')
-    told = r"koch.toml:2: system.file: bad.l: line 2, column 6: expected '\]' after it"
-    with pytest.raises(ShapeError, match=told):
-        jobs.read(tmp_path / "koch.toml")
+def test_each_mistake_in_the_file_of_a_grammar_is_told_with_its_place_there(tmp_path):
+    bad, job = tmp_path / "bad.l", tmp_path / "koch.toml"
+    bad.write_text("axiom: F\nF -> [\nG -> F(\n")
+    job.write_text('kind = "plant"\nsystem = { file = "bad.l" }\n')
+    with pytest.raises(ShapeError) as refusal:
+        jobs.read(job)
+    first, second = [line for line in str(refusal.value).split("\n") if "expected" in line]
+    assert first.startswith(f"{job}:2: system.file: {bad}:2:6: expected ']' after it")
+    assert second.startswith(f"{bad}:3:7: expected ')' after it")
 
 
 def test_a_grammar_in_the_place_of_a_job_is_told_who_reads_it(tmp_path):

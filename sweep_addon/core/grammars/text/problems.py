@@ -32,7 +32,12 @@ class Problem:
     @property
     def sentence(self):
         """Place, what would do and what is there."""
-        return f"line {self.line}, column {self.column}: expected {self.expected}, found {self.found}"
+        return f"line {self.line}, column {self.column}: {self.wrong}"
+
+    @property
+    def wrong(self):
+        """What would do and what is there."""
+        return f"expected {self.expected}, found {self.found}"
 
     @property
     def shown(self):
@@ -40,6 +45,16 @@ class Problem:
         start = max(0, self.column - 1 - WIDTH // 2) if len(self.source) > WIDTH else 0
         part = "".join(letter if letter.isprintable() else " " for letter in self.source[start : start + WIDTH])
         return f"    {part.rstrip()}\n    {' ' * (self.column - 1 - start)}^"
+
+    def placed(self, path):
+        """The problem as editors find its place in a file.
+
+        >>> print(Problem(1, 7, "the end of the line", "a module", "axiom:").placed("koch.l"))
+        koch.l:1:7: expected a module, found the end of the line
+            axiom:
+                  ^
+        """
+        return f"{path}:{self.line}:{self.column}: {self.wrong}\n{self.shown}"
 
     def around(self, width):
         """The part of the line around the place, of so many letters at most, and dots where more of it is.
