@@ -179,3 +179,40 @@ def test_a_production_that_is_a_function_has_no_text():
     grown = sw.LSystem.parse("axiom: A(1)").with_production("A(x)", lambda x: [("F", x)])
     with pytest.raises(ShapeError, match="has no text where a successor is a Python function"):
         sw.Plant(grown)
+
+
+HONDA = """
+n=6
+#define r1 0.9
+#define r2 0.6
+ω : A(1,10)
+p1 : A(l,w) : * → !(w)F(l)[&(45)B(l*r2,w*0.707)]/(137.5)A(l*r1,w*0.707)
+p2 : B(l,w) : * → !(w)F(l)[−(45)$C(l*r2,w*0.707)]C(l*r1,w*0.707)
+p3 : C(l,w) : * → !(w)F(l)[+(45)$B(l*r2,w*0.707)]B(l*r1,w*0.707)
+"""
+AS_PRINTED = "n=5,δ=22.5°\nX\nX→F−[[X]+X]+F[+FX]−X\nF→FF"  # the book's figure 1.24 e
+
+
+def test_the_words_that_tell_of_thick_tubes_make_them_thin():
+    """The trunk is 10 thick in the book's units; a hundredth of that is 0.1 m."""
+    printed = sw.Plant(HONDA).mesh()
+    assert any("!(w) -> !(w/100)" in sentence for sentence in printed.told)
+    thin = sw.Plant(f"{HONDA}homomorphism:\nmaximum depth: 1\n!(w) -> !(w/100)\n").mesh()
+    assert not thin.told
+    low = thin.vertices[np.isclose(thin.vertices[:, 2], 0)]
+    assert np.hypot(low[:, 0], low[:, 1]).max() == pytest.approx(0.05)
+
+
+@pytest.mark.parametrize(
+    ("plant", "lies"),
+    [
+        (sw.Plant(AS_PRINTED), True),
+        (sw.Plant(AS_PRINTED, upright="along-x"), False),
+        (sw.Plant(AS_PRINTED, upright="upwards"), False),
+        (sw.Plant(f"#heading z\n{AS_PRINTED}"), False),
+        (sw.Plant(HONDA), False),
+        (sw.Plant("axiom: F-F-F-F"), False),
+    ],
+)
+def test_a_plant_that_lies_on_the_ground_says_how_it_stands(plant, lies):
+    assert (growing.LYING in plant.mesh().told) == lies

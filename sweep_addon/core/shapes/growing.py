@@ -24,7 +24,11 @@ BYTES = 50  # of a module of a word, as many as the default budget allows
 DERIVED, DRAWN = 0.5, 0.7  # parts of the work
 THICK, SOME = 0.5, 1_000  # of the size of a figure: tubes beyond are most likely told in other units than lengths
 NOTHING = "The word draws nothing: segments are F and G, polygons stand in { }, and organs behind ~."
-CLUMSY = "Tubes are up to {:.3g} m thick in a figure of {:.3g} m: diameters, by ! or Width, are in metres too."
+CLUMSY = (
+    "Tubes are up to {:.3g} m thick in a figure of {:.3g} m: diameters, by ! or Width, are in metres too. "
+    "A homomorphism of maximum depth 1 makes them smaller, !(w) -> !(w/100)."
+)
+LYING = "A figure with branches lies on the ground, along x: Upright, Upwards lets a plant stand."
 LENGTHS, MOST_LENGTHS = {}, 64  # of the words that were derived last
 
 
@@ -208,7 +212,8 @@ def skinned(figure, plant, dtype):
         made = figure.mesh(sides, plant.texture, plant.attributes, dtype, within(plant.budget), apart)
         if is_united(plant):
             made = uniting.united(made).astype(dtype)
-    return replace(made, told=(*made.told, *seen(figure, made, sides), *noted(plant.system, plant.constants)))
+    found = (*seen(figure, made, sides), *lying(figure, plant), *noted(plant.system, plant.constants))
+    return replace(made, told=(*made.told, *found))
 
 
 def seen(figure, made, sides):
@@ -221,6 +226,13 @@ def seen(figure, made, sides):
             size = float(norms(np.ptp(figure.bounds, axis=0)))
             if thick > THICK * size:
                 yield CLUMSY.format(thick, size)
+
+
+def lying(figure, plant):
+    """That a figure lies which may be meant as a plant: nobody has said where its turtle looks at first."""
+    said = plant.upright.upright is not None or system(plant).heading
+    if not said and len(figure) and (figure.branch != figure.branch[0]).any() and not np.ptp(figure.bounds[:, 2]):
+        yield LYING
 
 
 def is_united(plant):

@@ -111,7 +111,7 @@ class Reader:
             return f"#{kind} {' '.join(self.renamed(said.name) for said in self.modules(commas(rest)))}"
         if kind == "maximum depth":
             if self.section not in DEPTHS:
-                passage.refuse("a depth in a decomposition or homomorphism", 0, shown(passage.text))
+                passage.refuse("decomposition: or homomorphism: above a depth", 0, shown(passage.text))
             self.depths[self.section] = ""
             return f"maximum depth: {rest.text}"
         if kind in DEPTHS:

@@ -228,7 +228,7 @@ class Reader:
             return self.tell_axiom(rest)
         if kind == "maximum":
             if self.section[0] not in ("decomposition", "homomorphism"):
-                passage.refuse("a depth in a decomposition or homomorphism", 0, shown(match.group()))
+                passage.refuse("decomposition: or homomorphism: above a depth", 0, shown(match.group()))
             self.told[f"{self.section[0]}_depth"] = directives.whole(rest, self.vocabulary, DEPTH)
             return None
         self.section = (kind, int(number[0])) if number else (kind, 0)
