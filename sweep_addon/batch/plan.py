@@ -74,7 +74,8 @@ def plan(verb, jobs, folder, suffix, version="", frame=0):
             said = hashlib.sha256("\n".join((verb, suffix, str(number), version, job.digest)).encode())
             other = tasks.setdefault(output, Task(verb, str(job.path), str(output), number, said.hexdigest()))
             if abspath(other.job) != abspath(job.path):
-                raise ShapeError(f"would write {output.name}, as {other.job} does", str(job.path))
+                way_out = "rename one of them, or give the jobs of each folder an --output-dir of their own"
+                raise ShapeError(f"would write {output.name}, as {other.job} does: {way_out}", str(job.path))
     return tuple(tasks.values())
 
 

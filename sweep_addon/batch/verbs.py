@@ -22,6 +22,8 @@ from .export import MODELS, PICTURES, check_output, save_model, silent
 from .plan import numbered, numbers, plan
 from .run import run
 
+NAMED = 10  # files of one fate that the summary of many jobs names
+
 
 class CommandError(Exception):
     """Something that should have worked did not: a sentence."""
@@ -135,20 +137,22 @@ def describe(told):
 def run_many(verb, told, frame=0):
     """Do many jobs, each in a process of its own, and go on where the last run stopped; wrong ones stop no others."""
     require(not told.output and told.parallel >= 1, "must be at least 1", told.parallel, "parallel")
-    understood, refused = [], 0
+    understood, refused, code = [], [], 0
     for path in told.jobs:
         try:
             understood.append(read(path))
         except ShapeError as refusal:
             sys.stderr.write(f"{refusal}\n")
-            refused = max(refused, code_of(refusal))
+            refused.append(path)
+            code = max(code, code_of(refusal))
     folder = Path(told.output_dir).absolute()
     require(folder.is_dir() or not folder.exists(), "must be a folder", told.output_dir, "output-dir")
     tasks = plan(verb, understood, folder, f".{told.format}", version(), frame)
     folder.mkdir(parents=True, exist_ok=True)
-    code = refused
+    became = {"done": [], "skipped": [], "failed": [], "refused": refused}
     with ThreadPoolExecutor(max_workers=told.parallel) as executor:
         for number, result in enumerate(run(tasks, program(told.arguments), executor, told.again), 1):
+            became[result.state].append(result.task.output)
             if result.state == "skipped" or sys.stderr.isatty():
                 sys.stderr.write(f"{number} of {len(tasks)}: {Path(result.task.output).name} {result.state}\n")
             if result.state == "failed":
@@ -156,7 +160,34 @@ def run_many(verb, told, frame=0):
                 code = code or 1
             else:
                 say(result.task.output)
+    if len(told.jobs) > 1:
+        sys.stderr.write(f"{summary(became)}\n")
     return code
+
+
+def summary(became):
+    """What became of many jobs: how many are done or were skipped, and of the others which they are.
+
+    Parameters
+    ----------
+    became : dict of list of str
+        Paths of outputs, or of jobs that were refused, by what became of them.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> summary({"done": ["o/a.png", "o/b.png"], "failed": [], "refused": ["jobs/c.toml"]})
+    '2 done, 1 refused: c.toml'
+    """
+    said = []
+    for state, paths in became.items():
+        names = [Path(path).name for path in paths[:NAMED]] if state in ("failed", "refused") else []
+        names += [f"and {len(paths) - NAMED} more"] if names and len(paths) > NAMED else []
+        said += [f"{len(paths)} {state}{': ' * bool(names)}{', '.join(names)}"] if paths else []
+    return ", ".join(said)
 
 
 def program(arguments):

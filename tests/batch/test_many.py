@@ -49,7 +49,7 @@ def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monk
     times = {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")}
     assert main(line) == 0 and {path: path.stat().st_mtime_ns for path in folder.glob("*.stl")} == times
     said = capsys.readouterr()
-    assert said.err.splitlines() == ["1 of 2: tube.stl skipped", "2 of 2: other.stl skipped"]
+    assert said.err.splitlines() == ["1 of 2: tube.stl skipped", "2 of 2: other.stl skipped", "2 skipped"]
     assert sorted(said.out.split()) == sorted(map(str, times))
     other.write_text(job.read_text() + "ground = false\n")
     assert main(line) == 0
@@ -64,4 +64,26 @@ def test_a_wrong_job_is_told_of_and_the_others_are_done(scene, job, capsys, monk
     assert main(["build", str(wrong), str(job), "--output-dir", str(folder)]) == 2
     said = capsys.readouterr()
     assert said.out == f"{folder / 'tube.blend'}\n"
-    assert said.err.startswith(f"{wrong}:1: kind: must be ") and said.err.count("\n") == 1
+    refusal, summary = said.err.splitlines()
+    assert refusal.startswith(f"{wrong}:1: kind: must be ")
+    assert summary == "1 done, 1 refused: wrong.toml"
+
+
+def test_the_last_line_says_what_became_of_many_jobs(scene, job, capsys, monkeypatch):
+    states = iter(["done", "failed", "skipped", "done"])
+    monkeypatch.setattr(verbs, "run", lambda tasks, *_: [Result(task, next(states), "it broke") for task in tasks])
+    others = [job.with_name(f"{name}.toml") for name in ("other", "third")]
+    for path in others:
+        path.write_text(job.read_text())
+    folder = str(job.with_name("out"))
+    assert main(["build", *map(str, [job, *others]), "--output-dir", folder]) == 1
+    assert capsys.readouterr().err.splitlines()[-1] == "1 done, 1 skipped, 1 failed: other.blend"
+    assert main(["build", str(job), "--output-dir", folder]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_summary_names_no_more_than_fit_on_a_line():
+    refused = [f"jobs/{number}.toml" for number in range(25)]
+    assert verbs.summary({"done": [], "refused": refused}).endswith(
+        ": 0.toml, 1.toml, 2.toml, 3.toml, 4.toml, 5.toml, 6.toml, 7.toml, 8.toml, 9.toml, and 15 more"
+    )
