@@ -18,7 +18,7 @@ from sweep_addon.core.stations.frames import rotation_minimizing
 from sweep_addon.core.stations.rotations import rotated, signed_angle, wrapped
 from sweep_addon.core.stations.sampling import Tolerance, place, stations
 from sweep_addon.core.stations.transport import transport
-from sweep_addon.core.trajectories import Arc, Helix, Sampled, TorusKnot
+from sweep_addon.core.trajectories import Arc, Formula, Helix, Sampled, TorusKnot
 from sweep_addon.core.trajectories.arc_length import arc_length
 
 LINES = json.loads((Path(__file__).parents[1] / "data" / "centrelines.json").read_text())["lines"]
@@ -95,6 +95,56 @@ def test_curvature_does_not_jump(closed):
 
     assert np.abs(curvature(*before) - curvature(*after)).max() < 1e-9 * np.abs(curvature(*after)).max()
     assert not len(path.corners())
+
+
+HELIX = {"x": "0.8*cos(0.3*u)", "y": "0.8*sin(0.3*u)", "z": "0.04*u", "end": 24.0}
+ROUNDED = Sampled(Formula(**HELIX).evaluate(np.arange(25)).round(5))
+HOSE = "0.04 + 0.025*sin(0.7*u)"
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("points", [ROUNDED.points.values, np.random.default_rng(4).normal(size=(20, 3)) ** 3])
+def test_the_speed_does_not_jump(points, closed):
+    """However unlike the distances of the points are: on both sides of each, u counts them equally fast."""
+    path = Sampled(points, closed)
+    between = path.joints()[1:-1]
+    before, after = (path.derivative(between, 1, side) for side in (True, False))
+    assert np.abs(after - before).max() < 1e-12 * np.abs(after).max()
+
+
+def test_derivatives_are_those_of_the_path():
+    """Differences of the sixth order over an eighth of a step, of points that lie very unevenly."""
+    path = Sampled(np.random.default_rng(4).normal(size=(20, 3)) ** 3)
+    u, step = np.linspace(0, 19, 20)[:-1] + 0.5, 1 / 64
+    for order in (1, 2, 3):
+        stencil = [
+            (path.derivative(u + k * step, order - 1) if order > 1 else path.evaluate(u + k * step))
+            for k in (-3, -2, -1, 1, 2, 3)
+        ]
+        expected = np.einsum("k,kij->ij", np.array([-1, 9, -45, 45, -9, 1]) / 60 / step, stencil)
+        assert np.abs(path.derivative(u, order) - expected).max() < 1e-6 * np.abs(expected).max()
+    for found, expected in zip(
+        path.moving(u), (path.evaluate(u), path.derivative(u), path.derivative(u, 2)), strict=True
+    ):
+        assert np.abs(found - expected).max() < 1e-12 * np.abs(expected).max()
+
+
+def test_a_radius_of_u_over_rounded_points_makes_the_smooth_hose():
+    """Balls of that radius on the helix itself touch each vertex, but for the rounding: 5e-6 in each coordinate."""
+    hose = CanalSurface(ROUNDED, HOSE, points=16)
+    mesh = hose.mesh()
+    assert mesh.told == () and len(hose.self_intersections()) == 0
+    u = np.linspace(0, 24, 24 * 400 + 1)
+    middles, radii = Formula(**HELIX).evaluate(u), 0.04 + 0.025 * np.sin(0.7 * u)
+    outside = [(np.linalg.norm(vertex - middles, axis=1) - radii).min() for vertex in mesh.vertices]
+    assert np.abs(outside).max() < 2 * np.sqrt(3) * 5e-6
+
+
+def test_a_radius_of_u_does_not_fold_where_points_lie_unevenly():
+    """One step is twice the next: where u ran evenly in each, the radius would grow at once twice as fast."""
+    u = np.arange(25) + 0.33 * (np.arange(25) % 2)
+    hose = CanalSurface(Sampled(Formula(**HELIX).evaluate(u)), HOSE)
+    assert hose.mesh().told == () and len(hose.self_intersections()) == 0
 
 
 def test_repeated_points_count_once():

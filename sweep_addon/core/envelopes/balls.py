@@ -101,7 +101,7 @@ class Balls:
         """The radius as a jet by arc length."""
         if self.is_constant:
             return Jet(np.stack((np.full(len(u), self.largest), 0 * u, 0 * u)))
-        first, second = (self.trajectory.derivative(u, order, before) for order in (1, 2))
+        first, second = self.trajectory.first_two(u, before)
         speed, one = norms(first), np.ones(len(u))
         with np.errstate(all="ignore"):
             place = Jet(np.stack((u, 1 / speed, -dot(first, second) / speed**4 / 2)))

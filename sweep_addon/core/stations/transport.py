@@ -103,7 +103,7 @@ def integrals(trajectory, start, end):
         axis = any_normal(trajectory.tangents(start + half))
         return axis, np.zeros((ORDER + 1, len(half))), np.full(len(half), True)
     u = ((start + end) / 2 + half * NODES[:, None]).ravel()
-    first, second = trajectory.derivative(u), trajectory.derivative(u, 2)
+    first, second = trajectory.first_two(u)
     tangent = unit(first)
     squared = dot(first, first)
     turn = cross(first, second) / np.where(squared > 0, squared, np.inf)[:, None]

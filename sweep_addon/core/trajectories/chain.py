@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A chain of polynomial segments, each given by its Bezier points."""
 
+from math import perm
+
 import numpy as np
 
 from .curve import Trajectory, row
@@ -29,11 +31,25 @@ class Chain(Trajectory):
 
 
 def corner_cutting(u, control, before=False):
-    """Points of polynomials with these Bezier points, by de Casteljau's algorithm: (n,) and (k, m, 3) to (n, 3)."""
-    u = row(u)
-    index = np.clip(np.ceil(u) - 1 if before else np.floor(u), 0, len(control) - 1).astype(int)
-    along = (u - index)[:, None, None]
-    points = control[index]
-    while points.shape[1] > 1:
+    """Points of polynomials with these Bezier points: (n,) and (k, m, 3) to (n, 3)."""
+    index, along = located(row(u), len(control), before)
+    return cut(along, control[index])[0]
+
+
+def located(u, count, before=False):
+    """In which segment each parameter is, or ends, and where from 0 to 1: two (n,)."""
+    index = np.clip(np.ceil(u) - 1 if before else np.floor(u), 0, count - 1).astype(int)
+    return index, u - index
+
+
+def cut(along, points, order=0):
+    """A point of each polynomial and its derivatives, by de Casteljau's algorithm: (n,) and (n, m, 3) to (n, 3) each.
+
+    The points that are left before the last cuts tell the derivatives.
+    """
+    along, degree, found = along[:, None, None], points.shape[1] - 1, []
+    for left in range(degree, -1, -1):
+        if left <= order:
+            found.append(perm(degree, left) * np.diff(points, left, axis=1)[:, 0])
         points = (1 - along) * points[:, :-1] + along * points[:, 1:]
-    return points[:, 0]
+    return found[::-1]

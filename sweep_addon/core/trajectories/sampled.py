@@ -8,9 +8,11 @@ import numpy as np
 
 from ..declared.parameters import Array, declared, parameter, points, require
 from ..later import later
-from .chain import Chain
+from .chain import Chain, cut, located
+from .curve import row
 
 derivatives = later("core.trajectories.neighbours", "derivatives")
+cubics, slopes = later("core.trajectories.monotone", "cubics", "slopes")
 
 SAME = 1e-9  # of the size: points closer than this are one
 DEFAULT = ((0, 0, 0), (1, 0, 0), (1, 1, 0.5), (0, 1, 1))
@@ -21,7 +23,8 @@ class Sampled(Chain):
     """A smooth curve through points: a measured path
 
     u counts the points; one that repeats the point before it does not count. From point to point runs a quintic with
-    the tangents and the second derivatives that `derivatives` finds, so that the curvature does not jump.
+    the tangents and the second derivatives that `derivatives` finds, so that the curvature does not jump. Along it u
+    runs so that the speed does not jump either, however far apart the points are: a formula of u is as smooth.
 
     Examples
     --------
@@ -57,10 +60,52 @@ class Sampled(Chain):
         count = "repeats a neighbour and does not count" if again == 1 else "repeat a neighbour and do not count"
         return (f"Trajectory: {again:,} of its {len(self.points):,} points {count}.",) if again else ()
 
+    def evaluate(self, u):
+        index, (along, *_) = self.run(row(u))
+        return cut(along, self.segments[index])[0]
+
+    def derivative(self, u, order=1, before=False):
+        index, (along, *rates) = self.run(row(u), order, before)
+        return chained(rates, cut(along, self.hodographs[index], order - 1))
+
+    def first_two(self, u, before=False):
+        index, (along, *rates) = self.run(row(u), 2, before)
+        first, second = cut(along, self.hodographs[index], 1)
+        return chained(rates[:1], (first,)), chained(rates, (first, second))
+
+    def run(self, u, order=0, before=False):
+        """The quintics that parameters are in, how far from 0 to 1, and the derivatives of that up to an order."""
+        index, along = located(u, len(self.segments), before)
+        a, b, c = self.pacing[:, index]
+        rates = ((c * along + b) * along + a) * along, (3 * c * along + 2 * b) * along + a, 6 * c * along + 2 * b, 6 * c
+        return index, rates[: order + 1]
+
+    @cached_property
+    def measured(self):
+        """First and second derivatives by the length of the chords at each point, and that length up to it."""
+        return derivatives(self.kept, self.closed)
+
+    @cached_property
+    def pacing(self):
+        """How far each quintic is at u, as the coefficients of u, u^2 and u^3 from its start: (3, k).
+
+        By the length of the chords the speed is the same on both sides of a point. So it is by u, where that length
+        rises smoothly with u.
+        """
+        steps = np.diff(self.measured[2])
+        rate = slopes(steps, self.closed)
+        ends = np.append(rate, rate[0]) if self.closed else rate
+        return np.stack(cubics(1.0, ends[:-1] / steps, ends[1:] / steps))
+
+    @cached_property
+    def hodographs(self):
+        """The Bezier points of their derivatives: (k, 5, 3)."""
+        return 5 * np.diff(self.segments, axis=1)
+
     @cached_property
     def segments(self):
         """The Bezier points of each quintic: (k, 6, 3)."""
-        first, second, knots = derivatives(self.kept, self.closed)
+        first, second, knots = self.measured
         points, first, second = (
             np.concatenate((part, part[:1])) if self.closed else part for part in (self.kept, first, second)
         )
@@ -79,3 +124,14 @@ class Sampled(Chain):
             ),
             axis=1,
         )
+
+
+def chained(rates, derivatives):
+    """The last derivative of a function of a function, by those of both up to its order of at most three."""
+    if len(rates) == 1:
+        weights = rates
+    elif len(rates) == 2:
+        weights = rates[1], rates[0] ** 2
+    else:
+        weights = rates[2], 3 * rates[0] * rates[1], rates[0] ** 3
+    return sum(weight[:, None] * part for weight, part in zip(weights, derivatives, strict=True))
