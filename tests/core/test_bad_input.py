@@ -95,10 +95,11 @@ VALUES = {  # refused when it is made
     "points: must have finite numbers up to 1e+12 in size, got nan in row 5": (Polyline, [*THERE, (0, 1, nan)]),
     "points: must have finite numbers up to 1e+12 in size, got -inf in row 5": (Polyline, [*THERE, (0, -inf, 0)]),
     "points: must have finite numbers up to 1e+12 in size, got 1e+13 in row 5": (Polyline, [*THERE, (0, 1e13, 0)]),
-    "points: must be a list of 3 numbers each, got [(0, 0), (1, 1)]": (Polyline, [(0, 0), (1, 1)]),
-    "points: must be a list of 3 numbers each, got [(0, 0, 0), (1, 0)]": (Polyline, [(0, 0, 0), (1, 0)]),
-    "points: must be a list of 3 numbers each, got [('0', '0', '1')]": (Polyline, [("0", "0", "1")]),
-    "points: must be a list of 3 numbers each, got [(0, 0, None)]": (Polyline, [(0, 0, None)]),
+    "points: must be a list of 3 numbers each, got (0, 0) in row 1": (Polyline, [(0, 0), (1, 1)]),
+    "points: must be a list of 3 numbers each, got (1, 0) in row 2": (Polyline, [(0, 0, 0), (1, 0)]),
+    "points: must be a list of 3 numbers each, got ('0', '0', '1') in row 1": (Polyline, [("0", "0", "1")]),
+    "points: must be a list of 3 numbers each, got (0, 0, None) in row 1": (Polyline, [(0, 0, None)]),
+    "points: must be a list of 3 numbers each, got array(1) in row 1": (Polyline, [np.array(1), (0, 0, 1)]),
     "points: must be a list of 3 numbers each, got 'points'": (Polyline, "points"),
     "corner: must be one of mitre, round, bevel, got 'miter': did you mean 'mitre'?": (
         Polyline, THERE[:2], False, "miter"

@@ -35,6 +35,12 @@ SLIPS = {
     "a = [1 2]": "a list ends with ], with commas between its values",
     "a = {b = 1 c = 2}": "a table in one line ends with }, with commas between its values",
 }
+ONE_LINE = "an inline table, in { }, stands on one line; of more lines it is a section, as [contour]"
+BROKEN = [  # the line where it breaks, and the text
+    ("a = { b = 1,", "a = { b = 1,\n  c = 2 }"),
+    ("a = {  # sizes", "a = {  # sizes\n  b = 1\n}"),
+    ("3], c = 4,", "a = { b = [2,\n3], c = 4,\n d = 5 }"),
+]
 MEANT = {
     "radius = .5": "a number is written so: radius = 0.5",
     "radius = 5.": "a number is written so: radius = 5",
@@ -60,6 +66,17 @@ def test_a_line_that_is_no_toml_is_told_what_would_do(line):
     assert sentence.startswith(f"{SLIPS[line]}, got ")
     if number == "line 3":
         assert sentence.endswith(f", got {line!r}")
+
+
+@pytest.mark.parametrize(("line", "text"), BROKEN)
+def test_an_inline_table_over_lines_is_told_that_it_stands_on_one(line, text):
+    number = 3 + text.split("\n").index(line)
+    assert refusal(text) == f"line {number}: must be TOML: {ONE_LINE}, got {line!r}"
+
+
+@pytest.mark.parametrize("line", ["a = { 3$ = 1 }", "a = { b = 1, , c = 2 }", "a.", "[", "a = { ? = 1 }"])
+def test_other_slips_are_not_told_so(line):
+    assert ONE_LINE not in refusal(line)
 
 
 @pytest.mark.parametrize("line", MEANT)

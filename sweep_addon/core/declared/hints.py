@@ -3,12 +3,13 @@
 """Hints: what somebody may have meant who named none of the kinds or options that there are."""
 
 from difflib import get_close_matches
+from numbers import Real
 
 import numpy as np
 
-from .parameters import Array, parameters
+from .parameters import Array, parameters, rows
 from .refusals import ShapeError
-from .wording import named, spelled
+from .wording import named, shown, spelled
 
 MANY = 40  # names that a refusal tells
 FEW = 3  # kinds of which a number says one; of more, as of trajectories, it may be any of many
@@ -125,6 +126,36 @@ def of_a_list(names):
     what = leading_list(first)
     said = f'{first.__name__}({what}=...) or {{ kind = "{spelled(first)}", {what} = ... }}'
     return f": {what} alone may be those of {f'{others} or {last}' if others else last}, say {said}"
+
+
+def first_wrong(value, columns):
+    """What a refusal shows of a value that is no list of rows: of a list with rows in it the first that is none.
+
+    Parameters
+    ----------
+    value : object
+    columns : int or None
+        Numbers in a row; None where a row is one number.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> first_wrong([[0, 0, 1], [1, 0]], 3), first_wrong([1, 2], 3), first_wrong([1, [2]], None)
+    ('[1, 0] in row 2', '[1, 2]', '[2] in row 2')
+    """
+    if isinstance(value, (list, tuple)) and any(map(rows, value)):
+        for number, row in enumerate(value, 1):
+            if not is_row(row, columns):
+                return f"{shown(row)} in row {number}"
+    return shown(value)
+
+
+def is_row(row, columns):
+    """Whether a value is so many numbers, or one."""
+    return rows(row) == (columns or 0) and all(isinstance(item, Real) for item in (row if columns else [row]))
 
 
 def of_a_number(names, type_):

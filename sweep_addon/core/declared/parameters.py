@@ -305,7 +305,11 @@ def coerce_array(p, value):
         array = None
     row = (p.columns,) if p.columns else ()
     fits = array is not None and array.values.ndim == 1 + len(row) and array.values.shape[1:] == row
-    require(fits, f"must be a list of {f'{p.columns} numbers each' if p.columns else 'numbers'}", value)
+    if not fits:
+        from .hints import first_wrong
+
+        needed = f"{p.columns} numbers each" if p.columns else "numbers"
+        raise ShapeError(f"must be a list of {needed}, got {first_wrong(value, p.columns)}")
     wrong = ~(np.abs(array.values) <= LARGEST)
     if wrong.any():
         got = f"{array.values[wrong][0]:g} in row {np.argwhere(wrong)[0, 0] + 1}"

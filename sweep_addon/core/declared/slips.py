@@ -20,6 +20,7 @@ NUMBER = re.compile(r"[+-]?(?:0+\d+\.?\d*|\d+\.|\.\d+)(?:[eE][+-]?\d+)?")  # as 
 ENDED = "a text ends with the quote that it begins with, on the same line"
 BACKSLASH = "a backslash stands for itself between single quotes only"
 ONCE = "each parameter and each table is told once"
+ONE_LINE = "an inline table, in { }, stands on one line; of more lines it is a section, as [contour]"
 WOULD_DO = {  # by how the parser of Python's library begins to say what is wrong
     "Expected '='": "a line is key = value, [table] or a comment after #",
     "Invalid statement": "a line is key = value, [table] or a comment after #",
@@ -50,10 +51,12 @@ def slips(text, error):
     lines = text.split("\n")
     for _ in range(MOST):
         said, _, place = str(error).rpartition(" (at ")
-        found = re.match(r"line (\d+)", place)
+        found = re.match(r"line (\d+), column (\d+)", place)
         number = int(found[1]) if found else len(text.splitlines()) or 1  # at its end
-        wrong = "".join(lines[number - 1 : number]).strip()[:LONGEST]
-        yield number, corrected(wrong, said)
+        whole = "".join(lines[number - 1 : number])
+        wrong = whole.strip()[:LONGEST]
+        broken = found and said.startswith("Invalid initial") and goes_on(whole, int(found[2]) - 1)
+        yield number, f"{ONE_LINE}, got {shown(wrong)}" if broken else corrected(wrong, said)
         if not meant(wrong) or len(text) > LONG:
             return
         lines[number - 1] = ""
@@ -64,6 +67,11 @@ def slips(text, error):
             error = next_error
         except (ValueError, RecursionError):
             return
+
+
+def goes_on(line, column):
+    """Whether a line ends within an inline table, at a column from which no more than a comment stands."""
+    return line[:column].rstrip().endswith(("{", ",")) and line[column:].lstrip()[:1] in ("", "#")
 
 
 def corrected(line, said):
