@@ -11,6 +11,7 @@ from pathlib import Path
 from ..core.csg import NODES
 from ..core.declared import description, forms
 from ..core.declared.frozen import frozen
+from ..core.declared.hints import unmistakable
 from ..core.declared.parameters import (
     ShapeError,
     angle,
@@ -196,7 +197,7 @@ def parse(text, folder):
     except ShapeError as refusal:
         refused.append(refusal.inside("render"))
     try:
-        shape = DESCRIBED.get(name(table))
+        shape = DESCRIBED.get(name(table)) or unmistakable(DESCRIBED, name(table))
         resolved, files = resolve(parameters(shape), table, folder) if shape else (table, ())
         made = forms.shape_of(DESCRIBED.values(), resolved)
     except ShapeError as refusal:

@@ -10,6 +10,7 @@ from ..core import contours, solids, trajectories
 from ..core.csg.known import known
 from ..core.declared.description import table_schema
 from ..core.declared.grammar_text import Grammar
+from ..core.declared.hints import unmistakable
 from ..core.declared.parameters import (
     ShapeError,
     at,
@@ -127,10 +128,11 @@ def grammar(reference, folder):
 
 def operand_resolved(operand, folder, files):
     """The table of an operand with the references in it replaced; what is no such table is refused later."""
-    kind = operand.get("kind") if isinstance(operand, dict) else None
-    if not isinstance(kind, str) or kind not in known():
+    word = operand.get("kind") if isinstance(operand, dict) else None
+    kind = known().get(word) or unmistakable(known(), word) if isinstance(word, str) else None
+    if kind is None:
         return operand
-    made, read_files = resolve(parameters(known()[kind]), operand, folder)
+    made, read_files = resolve(parameters(kind), operand, folder)
     files.extend(read_files)
     return made
 

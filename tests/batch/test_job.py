@@ -285,6 +285,38 @@ def test_each_mistake_in_a_grammar_is_told_with_the_line_of_the_job(tmp_path):
     ]
 
 
+def test_a_misspelt_kind_hides_no_other_mistake(tmp_path):
+    (tmp_path / "job.toml").write_text(
+        "kind = 'generalised-cylinder'\ntwsit = 1\n"
+        "contour = { kind = 'circel', raduis = 0.1 }\ntrajectory = { kind = 'helix', turns = '3' }\n"
+    )
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(tmp_path / "job.toml")
+    keys = ["kind", "twsit", "contour.kind", "contour.raduis", "trajectory.turns"]
+    assert [each.key for each in refusal.value.each()] == keys
+
+
+def test_files_are_read_beside_a_misspelt_kind(tmp_path):
+    (tmp_path / "square.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h1v1h-1z"/></svg>')
+    square = "contour = { file = 'square.svg' }\n"
+    (tmp_path / "sweep.toml").write_text(f"kind = 'translational-swep'\n{square}")
+    (tmp_path / "tree.toml").write_text(f"kind = 'tre'\n[base]\nkind = 'translational-swep'\n{square}")
+    for name, keys in {"sweep": ["kind"], "tree": ["kind", "base.kind"]}.items():
+        with pytest.raises(jobs.JobError) as refusal:
+            jobs.read(tmp_path / f"{name}.toml")
+        assert [each.key for each in refusal.value.each()] == keys
+
+
+@pytest.mark.parametrize("kind", ["spline", "tube", "x" * 100])
+def test_a_kind_that_may_be_any_is_told_of_alone(tmp_path, kind):
+    (tmp_path / "job.toml").write_text(
+        f"kind = 'generalized-cylinder'\ntrajectory = {{ kind = '{kind}', points = 'many' }}\n"
+    )
+    with pytest.raises(jobs.JobError) as refusal:
+        jobs.read(tmp_path / "job.toml")
+    assert [each.key for each in refusal.value.each()] == ["trajectory.kind"]
+
+
 def test_mistakes_beside_that_of_a_grammar_are_told_too(tmp_path):
     (tmp_path / "job.toml").write_text("kind = 'plant'\nsystem = 'axiom: F['\nstep = 'a'\nagle = 3\n")
     with pytest.raises(jobs.JobError) as refusal:

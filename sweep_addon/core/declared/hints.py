@@ -14,6 +14,7 @@ from .wording import named, shown, spelled
 MANY = 40  # names that a refusal tells
 FEW = 3  # kinds of which a number says one; of more, as of trajectories, it may be any of many
 MOST_LONGER = 3  # names that a refusal tells of those that somebody may have meant
+SURE = 0.82  # how alike a word and the only name that it may be are: more than spline and line, or plane and plant
 LONGEST = 40  # characters of what may be a name with a slip in it
 FIGURES = {  # by the names that people have for them: the kind, and what it is told
     "triangle": ("regular-polygon", "sides = 3"),
@@ -86,6 +87,18 @@ def meant(names, name):
     near = map(repr, get_close_matches(name.lower(), names, 1) or longer[:MOST_LONGER])
     told = " or ".join(near)
     return f": did you mean {told}?" if told else ""
+
+
+def unmistakable(names, name):
+    """What a name with a slip in it stands for, if it is near enough to one of the names and to no other; else None.
+
+    >>> unmistakable({"line": 1, "circle": 2}, "circel"), unmistakable({"line": 1, "circle": 2}, "spline")
+    (2, None)
+    """
+    if not isinstance(name, str) or len(name) > LONGEST:
+        return None
+    near = get_close_matches(name.lower(), names, 2, SURE)
+    return names[near[0]] if len(near) == 1 else None
 
 
 def has_none(owner, name, names, beside=()):

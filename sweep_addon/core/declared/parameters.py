@@ -406,9 +406,27 @@ def from_table(names, table, declared, beside=()):
         from .hints import kindless  # nobody needs it until something is refused
 
         raise kindless(names, table)
-    with at("kind"):
-        kind = pick(names, table.pop("kind"))
+    word = table.pop("kind")
+    try:
+        with at("kind"):
+            kind = pick(names, word)
+    except ShapeError as refusal:
+        from .hints import unmistakable
+
+        kind = unmistakable(names, word)
+        if kind is None:
+            raise
+        raise together([refusal, *wrong_in(kind, declared(kind), table, beside)]) from None
     return filled(kind, declared(kind), table, beside)
+
+
+def wrong_in(kind, declared, table, beside):
+    """What is wrong with a table of a kind: its refusal, or nothing."""
+    try:
+        filled(kind, declared, table, beside)
+    except ShapeError as refusal:
+        return [refusal]
+    return []
 
 
 def filled(kind, declared, table, beside=()):
