@@ -8,6 +8,7 @@ import numpy as np
 from ..core.contours import Fit, all_fitted
 from ..core.stations.sampling import Tolerance, place
 from ..core.trajectories import Bezier, Polyline
+from ..core.trajectories.arc_length import arc_length, subdivided
 
 
 def from_trajectory(trajectory, name):
@@ -43,8 +44,12 @@ def carry(points, trajectory):
 
 
 def through(trajectory):
-    """A chain of cubics through stations of a trajectory, with its tangents: a step of 1/8 radian, fourth order."""
-    stations = place(trajectory, Tolerance(trajectory.length() / 1000))
+    """A chain of cubics through stations of a trajectory, with its tangents: a step of 1/8 radian, fourth order.
+
+    What the trajectory carries they have at each of its points and at quarters between them.
+    """
+    marks = arc_length(trajectory).at(subdivided(trajectory.joints(), 4)) if trajectory.carries else ()
+    stations = place(trajectory, Tolerance(trajectory.length() / 1000), marks)
     starts, onward, step = stations.starts, stations.onward, stations.lengths[:, None] / 3
     out = stations.points[starts] + step * stations.leave[starts]
     back = stations.points[onward] - step * stations.arrive[onward]

@@ -212,6 +212,13 @@ def test_a_measured_path_beside_the_job_is_its_trajectory(tmp_path, name, text):
     assert jobs.read(path).digest != job.digest
 
 
+def test_radii_in_a_table_scale_the_contour_of_its_job(tmp_path):
+    """They are no lengths: the scale of the file, of its points, leaves them as they are."""
+    written(tmp_path, "x,y,z,radius\n0,0,0,2\n0,0,3,1.5\n", "a.csv")
+    path = written(tmp_path, START + "[trajectory]\nfile = 'a.csv'\nscale = 0.001")
+    assert jobs.read(path).shape.trajectory.radii.values.tolist() == [2, 1.5]
+
+
 def test_a_measured_path_that_is_none_is_refused_with_its_line(tmp_path):
     written(tmp_path, "0,0,0\n0,0,high\n", "a.csv")
     written(tmp_path, "<gpx/>", "a.gpx")

@@ -24,6 +24,7 @@ TRAJECTORIES = {
     "bezier": sw.trajectories.Bezier(),
     "nurbs": sw.trajectories.Nurbs(),
     "sampled": sw.trajectories.Sampled(closed=True),
+    "measured radii": sw.trajectories.Sampled([(0, 0, z) for z in range(4)], radii=[1, 0.4, 0.9, 1]),
     "formula": sw.trajectories.Formula(),
 }
 CONTOURS = {

@@ -8,8 +8,9 @@ import pytest
 from sweep_addon import GeneralizedCylinder, dump, load
 from sweep_addon.core.contours import Circle, Rectangle
 from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.shapes.canal_surface import CanalSurface
 from sweep_addon.core.stations.sampling import Tolerance
-from sweep_addon.core.trajectories import Bezier, Nurbs, Polyline
+from sweep_addon.core.trajectories import Bezier, Nurbs, Polyline, Sampled
 
 LINE = [(0, 0, 0), (0, 0, 1), (0, 0, 2), (0, 0, 3)]  # of one cubic, evenly spaced: u is the height over 3
 RING = [(1, 0, 0), (1, 1.3, 0), (-1, 1.3, 0), (-1, 0, 0), (-1, -1.3, 0), (1, -1.3, 0)]  # two knots
@@ -26,6 +27,7 @@ def frustum(area, height, ratio):
         Polyline([(0, 0, 0), (0, 0, 3)], radii=[1, 0.4]),
         Bezier(LINE, radii=[1, 0.4]),
         Nurbs(LINE, radii=[1, 0.8, 0.6, 0.4]),  # blended as the heights are
+        Sampled(LINE, radii=[1, 0.8, 0.6, 0.4]),
     ],
 )
 def test_radii_make_a_cone(trajectory):
@@ -74,6 +76,36 @@ def test_a_closed_curve_comes_back_to_its_first_radius_and_tilt():
     assert mesh.euler_characteristic() == 0 and len(mesh.boundary_edges()) == 0
 
 
+@pytest.mark.parametrize("closed", [False, True])
+def test_radii_of_a_measured_path_run_smoothly_and_never_beyond_its_points(closed):
+    random = np.random.default_rng(7)
+    points, radii = random.normal(size=(12, 3)), random.uniform(0, 2, 12).round(1)
+    path = Sampled(points, closed, radii)
+    first = np.append(radii, radii[0]) if closed else radii
+    knots = np.arange(len(first), dtype=float)
+    assert np.allclose(path.carried(knots)[0], first, atol=1e-14)
+    between = path.carried((knots[:-1, None] + np.linspace(0, 1, 65)).ravel())[0].reshape(-1, 65)
+    low, high = np.minimum(first[1:], first[:-1])[:, None], np.maximum(first[1:], first[:-1])[:, None]
+    assert ((low - 1e-14 <= between) & (between <= high + 1e-14)).all()
+    inner, step = knots[1:-1], 1e-6
+    slopes = [(path.carried(inner + step * k)[0] - path.carried(inner)[0]) / (step * k) for k in (-1, 1)]
+    assert np.abs(slopes[1] - slopes[0]).max() < 30 * step  # the second derivatives, of up to 6 times the rise
+
+
+def test_radii_of_points_that_repeat_one_do_not_count():
+    path = Sampled([*LINE[:2], *LINE[1:]], radii=[1, 0.8, 5, 0.6, 0.4])
+    assert path.carried([0, 1, 2, 3])[0] == pytest.approx([1, 0.8, 0.6, 0.4])
+    ring = Sampled([*RING[:1], *RING[2:], RING[0]], closed=True, radii=[1, 2, 3, 4, 5, 9])
+    assert ring.carried([0, 4, 5])[0] == pytest.approx([1, 5, 1])
+
+
+def test_a_ball_follows_the_radii_of_a_measured_path_without_a_kink():
+    angle = np.linspace(0, 5, 40)
+    path = Sampled(np.stack((np.cos(angle), np.sin(angle), 0 * angle), axis=1), radii=1 + 0.3 * np.sin(2 * angle))
+    hose = CanalSurface(path, 0.1)
+    assert hose.mesh().told == () and len(hose.self_intersections()) == 0
+
+
 def test_nothing_carried_moves_nothing():
     plain = GeneralizedCylinder(trajectory=Bezier(LINE[:3] + [(0, 2, 3)])).mesh()
     carried = Bezier(LINE[:3] + [(0, 2, 3)], radii=[1, 1], tilts=[0, 0])
@@ -88,6 +120,7 @@ def test_nothing_carried_moves_nothing():
         (lambda: Bezier(LINE, radii=[1]), "radii: must be 2 numbers, one a point, got 1"),
         (lambda: Nurbs(LINE, tilts=[0, 0]), "tilts: must be 4 numbers, one a point, got 2"),
         (lambda: Polyline(LINE, radii=[1, 1, -2, 1]), "radii: must all be at least 0, got -2"),
+        (lambda: Sampled(LINE, radii=[1, 1, 1]), "radii: must be 4 numbers, one a point, got 3"),
     ],
 )
 def test_what_does_not_fit_the_points_is_refused(make, refusal):

@@ -108,6 +108,37 @@ def test_two_columns_lie_on_the_ground():
     assert from_csv("x,y\n1,2\n3,4\n").points.values.tolist() == [[1, 2, 0], [3, 4, 0]]
 
 
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [
+        ("x,y,z,radius\n1,2,3,0.5\n4,5,6,0.25\n", {}),
+        ("Radius;x;y;z\n0,5;1;2;3\n0,25;4;5;6\n", {}),
+        ("radius a b c\n0.5 1 2 3\n0.25 4 5 6\n", {}),
+        ("x,y,z,thick\n1,2,3,0.5\n4,5,6,0.25\n", {"radius": "thick"}),
+        ("0.5,1,2,3\n0.25,4,5,6\n", {"radius": 1}),
+        ("x,y,z,radius\n1000,2000,3000,0.5\n4000,5000,6000,0.25\n", {"scale": 0.001}),
+    ],
+)
+def test_a_column_of_radii_scales_the_contour(text, arguments):
+    path = from_csv(text, **arguments)
+    assert path.points.values == pytest.approx(np.array([[1, 2, 3], [4, 5, 6]]))
+    assert path.radii.values.tolist() == [0.5, 0.25]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({"radius": "r"}, "radius: must be names of the first line, x, y, radius, or numbers from 1 to 3, got 'r'"),
+        ({"scale": 0}, "scale: must be more than 0, got 0"),
+        ({}, "radii: must all be at least 0, got -1"),
+    ],
+)
+def test_what_is_no_radius_is_refused(arguments, sentence):
+    with pytest.raises(ShapeError) as refusal:
+        from_csv("x,y,radius\n0,0,1\n1,1,-1\n", **arguments)
+    assert str(refusal.value) == sentence
+
+
 def test_a_backbone_of_a_protein_becomes_a_tube():
     path = from_csv(DATA / "backbone.csv")
     assert path.points.values.tolist() == LINES["1A8O_A_CA"]

@@ -110,7 +110,10 @@ class Balls:
             return found * composed(place, lambda u: self.carried(u, before)) if self.trajectory.carries else found
 
     def carried(self, u, before):
-        """The radius of the curve itself and its derivatives by u, exact where it is a parabola between joints."""
+        """The radius of the curve itself and its derivatives by u, exact where it is a parabola between joints.
+
+        Of a cubic the slope is wrong by a third of the square of the step at most, by 3e-9.
+        """
         joints = self.trajectory.joints()
         side = "left" if before else "right"
         i = np.clip(np.searchsorted(joints, u, side=side) - 1, 0, len(joints) - 2)

@@ -6,18 +6,18 @@ import numpy as np
 
 
 def slopes(rises, closed):
-    """Slopes at the values between which the rises are, (n,), with which cubics never turn between two values.
+    """Slopes at values with which cubics never turn between two of them.
 
     Parameters
     ----------
     rises : (m,) float array
-        From each value to the next; of a closed function the last one leads to the first value.
+        From each value to the next; of a closed function the last one leads to the first value again.
     closed : bool
 
     Returns
     -------
-    (m + 1,) float array, or (m,) of a closed function
-        Between values that rise they are more than 0, and at most twice the smaller rise.
+    (m + 1,) float array
+        Where both rises are more than 0 it is so too, and at most twice the smaller one.
 
     Source
     ------
@@ -34,7 +34,7 @@ def slopes(rises, closed):
     same = before * after > 0
     found = np.where(same, 2 * before / np.where(same, before + after, 1.0) * after, 0.0)
     if closed:
-        return found
+        return np.append(found, found[:1])
     inner = found if len(found) else rises
     return np.concatenate((2 * rises[:1] - inner[:1], found, 2 * rises[-1:] - inner[-1:]))
 

@@ -37,21 +37,29 @@ class Sampled(Chain):
 
     points: Array = points(DEFAULT, "Points on the path", most=100_000)
     closed: bool = parameter(False, "The last point leads back to the first")
+    radii: Array = parameter((), "Scale of the contour at each point, smoothly between them; none: all 1")
+    tilts: Array = parameter((), "Turn of the contour at each point, smoothly between them; none: all 0", unit="angle")
 
     def check(self):
-        """Refuse fewer than two different points, or three of a closed path."""
+        """Refuse fewer than two different points, or three of a closed path, and radii that are not one a point."""
         fewest = 3 if self.closed else 2
         require(len(self.kept) >= fewest, f"must have at least {fewest} different points", len(self.kept), "points")
+        self.check_carried(len(self.points))
 
     @cached_property
-    def kept(self):
-        """The points without those that repeat the one before, or the first at the end of a closed path: (k, 3)."""
+    def counted(self):
+        """The points that do not repeat the one before, or the first at the end of a closed path: (k,) int array."""
         points = self.points.values
         again = SAME * np.ptp(points, axis=0).max(initial=0.0)
         moves = np.linalg.norm(np.diff(points, axis=0), axis=1) > again
-        kept = np.concatenate((points[:1], points[1:][moves]))
-        ends_again = self.closed and len(kept) > 1 and np.linalg.norm(kept[-1] - kept[0]) <= again
-        return kept[:-1] if ends_again else kept
+        counted = np.flatnonzero(np.append(len(points) > 0, moves))
+        ends_again = self.closed and len(counted) > 1 and np.linalg.norm(points[counted[-1]] - points[0]) <= again
+        return counted[:-1] if ends_again else counted
+
+    @property
+    def kept(self):
+        """These points: (k, 3)."""
+        return self.points.values[self.counted]
 
     @cached_property
     def told(self):
@@ -80,6 +88,15 @@ class Sampled(Chain):
         rates = ((c * along + b) * along + a) * along, (3 * c * along + 2 * b) * along + a, 6 * c * along + 2 * b, 6 * c
         return index, rates[: order + 1]
 
+    def between(self, values, u):
+        """Values at the points, smoothly between them and never beyond them: those of points that repeat one too."""
+        values = values[self.counted]
+        rises = np.diff(np.append(values, values[:1]) if self.closed else values)
+        slope = slopes(rises, self.closed)
+        index, along = located(row(u), len(rises))
+        a, b, c = np.stack(cubics(rises, slope[:-1], slope[1:]))[:, index]
+        return values[index] + ((c * along + b) * along + a) * along
+
     @cached_property
     def measured(self):
         """First and second derivatives by the length of the chords at each point, and that length up to it."""
@@ -93,9 +110,8 @@ class Sampled(Chain):
         rises smoothly with u.
         """
         steps = np.diff(self.measured[2])
-        rate = slopes(steps, self.closed)
-        ends = np.append(rate, rate[0]) if self.closed else rate
-        return np.stack(cubics(1.0, ends[:-1] / steps, ends[1:] / steps))
+        slope = slopes(steps, self.closed)
+        return np.stack(cubics(1.0, slope[:-1] / steps, slope[1:] / steps))
 
     @cached_property
     def hodographs(self):
