@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imports point one way: panels -> operators -> batch -> properties -> bridge -> core, and presets -> core."""
+"""Imports point one way: panels -> operators -> batch -> properties -> bridge -> core, and batch -> presets -> core."""
 
 import ast
 from pathlib import Path
@@ -14,7 +14,7 @@ BELOW = {
     "sweep_addon/presets": {"sweep_addon/core"},
     "sweep_addon/bridge": {"sweep_addon/core"},
     "sweep_addon/properties": {"sweep_addon/core", "sweep_addon/bridge"},
-    "sweep_addon/batch": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties"},
+    "sweep_addon/batch": {"sweep_addon/core", "sweep_addon/bridge", "sweep_addon/properties", "sweep_addon/presets"},
 }
 BELOW["operators"] = set(BELOW)
 BELOW["panels"] = set(BELOW)

@@ -70,8 +70,8 @@ def parser():
     derive.set_defaults(act=grammar.derive)
 
     describe = commands.add_parser("describe", help="say what a job may tell", description=verbs.describe.__doc__)
-    describe.add_argument("shape", metavar="SHAPE", nargs="?",
-                          help="a shape, one of its choices, render, or a grammar; - for standard input")  # fmt: skip
+    about = "a shape, one of its choices, render, a preset, or a grammar; - for standard input"
+    describe.add_argument("shape", metavar="SHAPE", nargs="?", help=about)
     describe.add_argument("--schema", action="store_true", help="the JSON Schema of job files, for editors")
     describe.add_argument("--markdown", action="store_true", help="as a table for the docs")
     describe.set_defaults(act=verbs.describe)

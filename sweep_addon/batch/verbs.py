@@ -118,12 +118,16 @@ def meeting(shape):
 
 def describe(told):
     """Say what a job may tell of a shape, a tree, one of its choices, as circle or helix, or of render: parameters
-    with units, limits and defaults."""
+    with units, limits and defaults. Of a preset, as hose, print the job."""
     if told.schema:
         say(json.dumps(jobs.schema(), indent=2))
         return 0
     if not told.shape:
         say("\n".join(describing.everything()))
+        return 0
+    job = describing.preset(told.shape)
+    if job:
+        say(job)
         return 0
     kinds = describing.named(told.shape)
     if not kinds:

@@ -17,8 +17,9 @@ import pytest
 
 import sweep_addon as sw
 from sweep_addon import presets
-from sweep_addon.batch import verbs
+from sweep_addon.batch import describing, verbs
 from sweep_addon.batch.command import main
+from sweep_addon.core.declared.parameters import spelled
 
 CHECKOUT = Path(__file__).parents[2]
 TUBE = sw.GeneralizedCylinder(
@@ -141,12 +142,34 @@ def test_describe_alone_names_all_that_it_can_tell_of(capsys):
     assert main(["describe"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines.index("Planar Generator") < lines.index("Solid Generator") and max(map(len, lines)) < 140
+    lines = lines[: next(number for number, line in enumerate(lines) if line.startswith("Presets"))]
     groups = (line.strip().split(": ", 1) for line in lines if line.startswith("  "))
     first, second = zip(*groups, strict=True)
     at = first.index("contour")
     names = [*first[:at], *(name for kinds in second[at:] for name in kinds.split(", "))]
     assert {"circle", "helix", "generalized-cylinder", "tree", "ball", "formula", "render"} <= set(names)
     assert all(main(["describe", name]) == 0 for name in names)
+
+
+def test_describe_alone_names_each_preset(capsys):
+    assert main(["describe"]) == 0
+    listed = re.search(r"^Presets.*\n((?:  .*\n)+)", capsys.readouterr().out, re.MULTILINE)[1]
+    assert re.findall(r"\w+", listed) == sorted(presets.BY_NAME, key=lambda name: name.startswith("l_system_"))
+
+
+@pytest.mark.parametrize("name", ["hose", "pipe", "screw_thread_m8", "l_system_koch_curve_a"])
+def test_describe_prints_the_job_of_a_preset_whatever_folder_has_its_name(name, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path(name).mkdir()
+    assert main(["describe", name]) == 0
+    told = capsys.readouterr().out
+    assert sw.load(told) == presets.shape(name)
+    Path("job.toml").write_text(told)
+    assert main(["check", "job.toml"]) == 0
+
+
+def test_no_preset_is_called_as_a_kind_is():
+    assert not set(presets.BY_NAME) & {spelled(kind) for kind in describing.kinds()}
 
 
 def test_describe_tells_the_name_that_was_meant(capsys):
