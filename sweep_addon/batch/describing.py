@@ -9,12 +9,13 @@ from pathlib import Path
 from ..core.csg import NODES
 from ..core.declared import description, forms
 from ..core.declared.hints import meant
-from ..core.declared.parameters import ShapeError, parameters, shown, spelled
+from ..core.declared.parameters import ShapeError, inside, parameters, shown, spelled
 from ..core.shapes.kinds import CLASSIFICATION
 from ..presets import BY_NAME, GROWN
 from .grammar import STANDARD_INPUT
 from .job import DESCRIBED, Render
 
+INDENTED = {"initial_indent": "    ", "subsequent_indent": "    "}
 WIDE = 100  # letters of a line of names
 MORE = "`describe NAME` says what each may be told, `describe --schema` says all of it as a JSON Schema."
 
@@ -36,7 +37,7 @@ def chosen():
     """The names of the kinds that parameters may be, each once, by the first parameter that may be it."""
     owners = {}
     for shape in DESCRIBED.values():
-        for parameter, kind in choices(shape):
+        for parameter, kind, _ in choices(parameters(shape)):
             owners.setdefault(kind, parameter)
     return {name: [spelled(kind) for kind, owner in owners.items() if owner == name] for name in owners.values()}
 
@@ -58,26 +59,59 @@ def named(name):
 
 def kinds():
     """All classes that can be described."""
-    chosen = (kind for shape in DESCRIBED.values() for _, kind in choices(shape))
+    chosen = (kind for shape in DESCRIBED.values() for _, kind, _ in choices(parameters(shape)))
     return dict.fromkeys((*DESCRIBED.values(), *chosen, Render))
 
 
-def choices(owner):
-    """The kinds that the parameters of a shape, or of a kind, can be, and those of their own parameters; each with
-    the name of its parameter."""
-    for p in parameters(owner):
+def choices(declared):
+    """The kinds that some parameters can be, and those of their own parameters; each with the name of its parameter,
+    and with its own parameters as they are there, where their defaults may be others."""
+    for p in declared:
         for kind in p.kinds:
-            yield p.name, kind
-            yield from choices(kind)
+            there = inside(p, kind)
+            yield p.name, kind, there
+            yield from choices(there)
+
+
+def elsewhere(kind):
+    """The other defaults that parameters of a kind have where it stands in shapes.
+
+    Returns
+    -------
+    dict of list of str
+        By the name of the parameter, for each other default a sentence that says where.
+
+    Examples
+    --------
+    >>> from sweep_addon.core.contours import Rectangle
+    >>> elsewhere(Rectangle)["width"][0]
+    '0.3 in pd-curve-sweep (contour)'
+    """
+    found = {}
+    for owner, shape in DESCRIBED.items():
+        for name, chosen, there in choices(parameters(shape)):
+            for alone, p in zip(parameters(kind), there, strict=True) if chosen is kind else ():
+                if description.short(alone) != description.short(p):
+                    default = description.toml_value(description.short(p))
+                    found.setdefault(p.name, {}).setdefault(default, {}).setdefault(owner, {})[name] = True
+    return {key: [placed(*other) for other in defaults.items()] for key, defaults in found.items()}
+
+
+def placed(default, owners):
+    """A default and the shapes that have it, each with the parameters where."""
+    places = [f"{owner} ({', '.join(names)})" for owner, names in owners.items()]
+    return f"{default} in {', '.join(places)}"
 
 
 def table(name, kind):
     """The parameters of a shape for people, each with its default, and beneath it what it means and takes."""
     width = max(60, shutil.get_terminal_size((100, 24)).columns - 4)
     lines = [f"{name}: {description.summary(kind)}", ""]
+    others = elsewhere(kind)
     for row in description.describe(kind):
         default = "" if row.default is None else f" = {forms.tidy(row.default, forms.scalar, len(row.key))}"
         means = f"{row.doc}. {row.takes}" + (f"; {row.limits}" if row.limits else "")
         lines.append(f"{row.key}{default}")
-        lines.extend(textwrap.wrap(means, width, initial_indent="    ", subsequent_indent="    "))
+        for sentence in (means, *others.get(row.key, ())):
+            lines.extend(textwrap.wrap(sentence, width, break_on_hyphens=False, **INDENTED))
     return "\n".join(lines)

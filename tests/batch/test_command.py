@@ -181,6 +181,25 @@ def test_describe_tells_the_name_that_was_meant(capsys):
     ]
 
 
+@pytest.mark.parametrize(
+    ("shape", "kind", "key"),
+    [("generalized-cylinder", "circle", "radius"), ("pd-curve-sweep", "rectangle", "width"),
+     ("translational-sweep", "rectangle", "height")],
+)  # fmt: skip
+def test_describe_of_a_kind_tells_the_default_that_a_job_of_a_shape_has(shape, kind, key, capsys):
+    default = getattr(sw.load(f'kind = "{shape}"\n[contour]\nkind = "{kind}"\n').contour, key)
+    assert main(["describe", kind]) == 0
+    told = re.search(rf"^{key} = .*\n((?:    .*\n)+)", capsys.readouterr().out, re.MULTILINE)[1]
+    places = re.split(r"([\d.]+) in (?=[\w-]+ \()", " ".join(told.split()))  # a default, and where, by turns
+    [found] = [value for value, where in zip(places[1::2], places[2::2], strict=True) if f"{shape} (contour)" in where]
+    assert float(found) == default
+
+
+def test_describe_tells_no_default_that_is_the_same_everywhere(capsys):
+    assert main(["describe", "helix"]) == main(["describe", "generalized-cylinder"]) == 0
+    assert " in generalized-cylinder (" not in capsys.readouterr().out
+
+
 def test_describe_tells_of_all_kinds_of_a_name(capsys):
     assert main(["describe", "formula"]) == main(["describe", "round"]) == 0
     told = capsys.readouterr().out
