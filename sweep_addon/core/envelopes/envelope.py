@@ -25,6 +25,7 @@ from ..rings import caps
 from ..rings.ends import Flat, Open
 from ..self_intersection.folds import TOLD, between, stretches_told
 from ..stations import rotations
+from ..stations.coarseness import told_coarse
 from ..stations.frames import Frames, RotationMinimizing, axes
 from ..stations.plane import normal_of
 from ..stations.sampling import Count, place
@@ -186,7 +187,8 @@ class Envelope:
         turns = [PREFIX + turned(u, domain) for u in self.circles.turning_back]
         if len(turns) > TOLD:
             turns[TOLD:] = [f"{PREFIX}{len(turns) - TOLD} more such places."]
-        return (*self.trajectory.told, *said, *stretches_told(stations, values, backward), *turns)
+        coarse = told_coarse(stations, self.shape.samples, self.balls.largest)
+        return (*self.trajectory.told, *coarse, *said, *stretches_told(stations, values, backward), *turns)
 
 
 def turned(u, domain):

@@ -22,6 +22,7 @@ from ..rings.domes import domes_of, with_domes
 from ..rings.ends import Flat, Round, Taper
 from ..rings.steps import mitred, told_backward
 from ..self_intersection.folds import folds_told, running_backward
+from ..stations.coarseness import told_coarse
 from ..stations.frames import Frames, RotationMinimizing, axes, require_several
 from ..stations.leaps import leaping_steps, leaps
 from ..stations.sampling import Count, place
@@ -87,10 +88,9 @@ def swept(sweep, stations=None):
     )
     around = change.around(scale, stations.t) if change else lengths_around(body.section, scale)
     flat = tuple(body.ends[station].points * body.scales[station] for station in (0, -1))
+    told += told_coarse(stations, sweep.samples, reach * along.largest) + told_backward(stations) + body.told
     chart = Chart(grid, u, s, stations.total, around, flat, sweep.texture, sweep.attributes)
-    return Swept(
-        stations, along, symmetry, body, rings, shape, points, chart, told + told_backward(stations) + body.told
-    )
+    return Swept(stations, along, symmetry, body, rings, shape, points, chart, told)
 
 
 def moving(sweep):

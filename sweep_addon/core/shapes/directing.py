@@ -22,6 +22,7 @@ from ..rings.steps import told_backward
 from ..self_intersection.folds import folds_told, running_backward
 from ..stations.bending import Bending, Rings
 from ..stations.cells import WIDEST_TURN
+from ..stations.coarseness import told_coarse
 from ..stations.frames import Frames, require_several, turn
 from ..stations.sampling import Count, place
 from ..trajectories.arc_length import arc_length
@@ -81,9 +82,8 @@ def laid_out(sweep):
         axis = bending.placed(stations)
     rings = bending.axes(stations)
     backward = running_backward(stations, rings, section.centroid, False)
-    told += told_backward(stations) + folds_told(
-        stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support
-    )
+    told += told_coarse(stations, sweep.samples, reach) + told_backward(stations)
+    told += folds_told(stations, np.zeros_like(axis.points), axis.e2, axis.e3, section.support)
     told += axis.told
     if backward:
         section, bending = section.mirrored, replace(bending, mirrored=True)
