@@ -36,7 +36,7 @@ def told_coarse(stations, samples, reach):
     >>> from sweep_addon.core.trajectories import Helix
     >>> from sweep_addon.core.stations.sampling import place
     >>> told_coarse(place(Helix(radius=0.01, pitch=0.004), Tolerance()), Tolerance(), 0.0005)
-    ('Samples: the path turns by 51 degrees between two of them; a chord of about 0.02 mm makes it smooth.',)
+    ('Samples: the path turns by 50 degrees between two of them; a chord of about 0.02 mm makes it smooth.',)
     """
     if not isinstance(samples, Tolerance) or samples.render or samples.chord <= FITS * reach:
         return ()
