@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The menu of what can be added, in Add > Mesh and in the sidebar, and the line in Object > Convert."""
 
-import os
 from functools import cache
 from pathlib import Path
 
@@ -19,9 +18,8 @@ from . import previews
 
 presets = later("presets")
 
-FOLDER = Path(__file__).parents[1] / "sweep_addon" / "presets"
-FOLDERS = {entry.name for entry in os.scandir(FOLDER) if entry.is_dir()}  # what is in them is read for a menu's draw
-GROUPS = sorted(FOLDERS - {"l_system", "__pycache__"})
+FOLDER = Path(__file__).parents[1] / "sweep_addon" / "presets"  # what its folders hold is read when a menu is drawn
+GROUPS = sorted({path.name for path in FOLDER.iterdir() if path.is_dir()} - {"l_system", "__pycache__"})
 ROWS = 20  # presets one below the other: all are in sight on a screen of 900 pixels
 
 

@@ -20,6 +20,12 @@ BELOW["operators"] = set(BELOW)
 BELOW["panels"] = set(BELOW)
 
 
+def test_each_test_file_has_a_name_of_its_own():
+    """Where two have one, the second is not run: they are modules, and no packages."""
+    names = [path.name for path in (CHECKOUT / "tests").rglob("test_*.py")]
+    assert len(names) > 100 and len(names) == len(set(names))
+
+
 def part(path):
     """The part of the house that a name belongs to, or None for the root and the library's front."""
     return next((name for name in BELOW if path == name or path.startswith(name + "/")), None)

@@ -47,6 +47,7 @@ def new_mesh(shape, name=None, **objects):
             if mesh.sweep.error:
                 raise ShapeError.read(mesh.sweep.error)
         else:
+            require(not objects, "must not be given where the extension is not enabled", list(objects), "objects")
             meshes.write(mesh, shape.mesh(dtype="f4"))
     except ShapeError:
         bpy.data.meshes.remove(mesh)

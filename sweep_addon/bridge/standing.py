@@ -29,25 +29,25 @@ def let_go(ob, inputs):
     if constraints and ob.visible_get():
         ob.matrix_world = place
     elif constraints:
-        ob.matrix_basis = carried(ob).inverted_safe() @ place
+        ob.matrix_basis = space_of(ob).inverted_safe() @ place
 
 
 def where(ob):
     """Where an object is in the world.
 
     Of what is hidden, or in another scene, Blender does not know it: its own numbers, its parents' and those of what
-    carries it by a constraint do.
+    carries it by a whole *Child Of* do. Other constraints, and parents that are bones or vertices, do not count there.
     """
     if ob.visible_get():
         return ob.matrix_world.copy()
-    place = carried(ob) @ ob.matrix_basis
+    place = space_of(ob) @ ob.matrix_basis
     for each in ob.constraints:
         if each.type == "CHILD_OF" and each.target and not each.mute:
             place = where(each.target) @ each.inverse_matrix @ place
     return place
 
 
-def carried(ob):
+def space_of(ob):
     """The space in the world in which an object's own numbers are."""
     return where(ob.parent) @ ob.matrix_parent_inverse if ob.parent else Matrix()
 

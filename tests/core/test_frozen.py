@@ -91,3 +91,20 @@ def test_without_the_private_mark_dataclass_makes_them(monkeypatch):
 
     assert fields(Place)[0].metadata == {"doc": "How far", "unit": "length", "above": 0.0}
     assert Place(2).x == 2.0
+
+
+def test_a_declared_class_has_the_parameters_of_its_base_too():
+    @declared
+    class Place:
+        """A place"""
+
+        x: float = length(1.0, "How far")
+
+    @declared
+    class Height(Place):
+        """A place above the ground"""
+
+        y: float = length(2.0, "How high")
+
+    assert [p.name for p in parameters(Height)] == [each.name for each in fields(Height)] == ["x", "y"]
+    assert (Height(3, 4).x, Height(3, 4).y, Height(y=5).x) == (3.0, 4.0, 1.0)

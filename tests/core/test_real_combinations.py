@@ -140,7 +140,9 @@ def check(sweep, scaled):
     meets = bool(sweep.self_intersections())
     if scaled and closed and not meets:
         true = scaled * sweep.contour.section().area * sweep.trajectory.length()
-        assert mesh.volume() == pytest.approx(true, rel=VOLUME[sweep.fit.name.lower().replace("_", "-")])
+        fit = sweep.fit.name.lower().replace("_", "-")
+        less = 1e-6 if fit == "circumscribed" else VOLUME[fit]  # which encloses the true shape
+        assert true * (1 - less) <= mesh.volume() <= true * (1 + VOLUME[fit])
     if closed and meets and is_there() and len(mesh.vertices) < MEETING:
         assert_sound(sweep.solid(), True)
 

@@ -209,3 +209,11 @@ def test_what_is_no_path_is_refused(points, closed, sentence):
     with pytest.raises(ShapeError) as refusal:
         Sampled(points, closed)
     assert str(refusal.value) == sentence
+
+
+def test_the_derivative_of_order_0_is_the_place_and_beyond_3_there_is_none():
+    path = Sampled([(0, 0, 0), (1, 0, 0), (2, 1, 0), (4, 1, 1)])
+    u = np.linspace(*path.domain, 7)
+    assert np.array_equal(path.derivative(u, 0), path.evaluate(u))
+    with pytest.raises(ShapeError, match="order: must be at most 3, got 4"):
+        path.derivative(u, 4)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contours without corners: the circle, the ellipse, and the superellipse, which may have some."""
+"""Round contours: the circle, the ellipse, and the superellipse between a star, that and a rectangle."""
 
 from dataclasses import replace
 from math import gamma

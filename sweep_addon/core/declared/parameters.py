@@ -120,7 +120,7 @@ def declared(cls):
         if hasattr(cls, "check"):
             self.check()
 
-    cls.__declared__ = tuple(own(cls))
+    cls.__declared__ = (*getattr(cls, "__declared__", ()), *own(cls))
     cls = unchanging(by_value(cls), settle, {p.name: p for p in cls.__declared__})
     cls.__doc__ = Documented(cls.__doc__)
     return cls

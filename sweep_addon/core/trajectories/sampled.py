@@ -73,6 +73,9 @@ class Sampled(Chain):
         return cut(along, self.segments[index])[0]
 
     def derivative(self, u, order=1, before=False):
+        require(order <= 3, "must be at most 3", order, "order")
+        if not order:
+            return self.evaluate(u)
         index, (along, *rates) = self.run(row(u), order, before)
         return chained(rates, cut(along, self.hodographs[index], order - 1))
 
