@@ -26,6 +26,8 @@ ARRAYS = {  # of each type of attribute the property, how many numbers, of which
     "INT": ("value", 1, np.int32),
     "INT8": ("value", 1, np.int32),
     "BOOLEAN": ("value", 1, bool),
+    "INT16_2D": ("value", 2, np.int32),
+    "INT32_2D": ("value", 2, np.int32),
     "FLOAT2": ("vector", 2, np.float32),
     "QUATERNION": ("value", 4, np.float32),
     "FLOAT_COLOR": ("color", 4, np.float32),
@@ -37,13 +39,13 @@ ARRAYS = {  # of each type of attribute the property, how many numbers, of which
 class Carried:
     """What people put on a mesh, on its way to other vertices, corners and faces."""
 
-    def __init__(self, mesh, own, found, topology):
-        self.vertices, self.has_weights = found, has_weights(mesh)
+    def __init__(self, mesh, own, found, made, along, weights):
+        self.vertices, self.has_weights = found, weights
         self.colours = {name: getattr(mesh.attributes, name) for name in ("active_color_name", "default_color_name")}
         self.shown = {layer.name: (layer.active, layer.active_render) for layer in mesh.uv_layers}
         there = {"POINT": found}
         if any(each.domain != "POINT" for each in own):
-            there["CORNER"], there["FACE"] = corners_and_faces(mesh, found, topology)
+            there["CORNER"], there["FACE"] = corners_and_faces(mesh, found, made, along)
         self.arrays = [(each.name, each.data_type, each.domain, taken(each, there[each.domain])) for each in own]
 
     def lay_vertices(self, mesh):
@@ -69,7 +71,8 @@ class Carried:
             made = mesh.attributes.new(name, kind, domain)
             made.data.foreach_set(ARRAYS[kind][0], values.ravel())
         for name, colour in self.colours.items():
-            setattr(mesh.attributes, name, colour)
+            if colour in mesh.attributes:
+                setattr(mesh.attributes, name, colour)
         for layer in mesh.uv_layers:
             active, render = self.shown.get(layer.name, (False, False))
             layer.active, layer.active_render = layer.active or active, layer.active_render or render
@@ -112,13 +115,23 @@ def carried(mesh, made, known):
     if not (isinstance(made.chart, Chart) and len(mesh.polygons)):
         return None
     own = [each for each in mesh.attributes if is_own(each, known)]
-    if not (own or has_weights(mesh)):
+    weights = has_weights(mesh)
+    if not (own or weights):
         return None
     lengths = [mesh.attributes.get(name) for name in ("arc_length", "v")]
     if any(each is None or (each.data_type, each.domain) != ("FLOAT", "POINT") for each in lengths):
         return None
-    found = sources(*map(read, lengths), made.chart)
-    return None if found is None else Carried(mesh, own, found, made.topology)
+    along, across = map(read, lengths)
+    places, edges = read(mesh.attributes["position"]), read(mesh.attributes[".edge_verts"])
+    found = sources(along, across, places, edges, made.chart)
+    if not even(along, across, made.chart.grid):
+        own = [each for each in own if each.domain == "POINT"]
+    return Carried(mesh, own, found, made, along, weights) if found and (own or weights) else None
+
+
+def even(along, across, grid):
+    """Whether each face between rings has four corners, before and after: no tips, no poles."""
+    return len(np.unique(along)) * len(np.unique(across)) == len(along) and not (grid.tips or grid.poles)
 
 
 def is_own(attribute, known):
@@ -141,23 +154,23 @@ def read(attribute):
     return values.reshape(-1, width) if width > 1 else values
 
 
-def corners_and_faces(mesh, found, topology):
+def corners_and_faces(mesh, found, made, along):
     """Between which old corners each new corner lies, and between which old faces each new one: two `Between`.
 
     A corner has it from its vertex. Where that lies between old ones, the old corners are those of the face between
     them, so nothing is mixed across a seam; where it is at one, the corner in a face on the same side of it. A face
-    has it from its first corner.
+    has it from its first corner. There must be no tips and no poles.
     """
-    starts, cap = np.empty(len(mesh.polygons), np.int32), np.empty(len(mesh.polygons), np.int32)
+    topology, starts = made.topology, np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get("loop_start", starts)
-    mesh.polygons.foreach_get("material_index", cap)
     corners = read(mesh.attributes[".corner_vert"])
-    face, kind = kinds(np.append(starts, len(corners)), cap)
+    face, kind = kinds(np.append(starts, len(corners)), along[corners])
     table = np.full((len(mesh.vertices), CAP + 1), -1)
     table[corners, kind] = np.arange(len(corners))
-    for some in (slice(CAP), slice(None)):  # at a tip, of a face round it; a cap's only where there is no other
+    for some in (slice(CAP), slice(None)):  # of a face on another side; a cap's only where there is no other
         table[:, some] = np.where(table[:, some] < 0, table[:, some].max(axis=1, keepdims=True), table[:, some])
-    _, kind = kinds(topology.offsets, topology.material)
+    after = made.chart.spread(made.chart.s, (), (), float)
+    _, kind = kinds(topology.offsets, after[topology.corners])
     found = found.of(topology.corners)
     corner = found._replace(around=table[found.around, facing(kind, found)])
     first = corner.of(topology.offsets[:-1])
@@ -172,8 +185,9 @@ def facing(kind, found):
     return np.where(kind == CAP, CAP, SIDE_OF[behind, beside])
 
 
-def kinds(offsets, material):
-    """The face of each corner, and which corner of it that is, or `CAP`."""
-    face = np.repeat(np.arange(len(material)), np.diff(offsets))
+def kinds(offsets, along):
+    """The face of each corner, and which corner of it that is, or `CAP`: all of a cap have one arc length."""
+    face = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
     place = np.arange(len(face)) - offsets[face]
-    return face, np.where(material[face] > 0, CAP, np.minimum(place, SIDES - 1))
+    cap = np.minimum.reduceat(along, offsets[:-1]) == np.maximum.reduceat(along, offsets[:-1])
+    return face, np.where(cap[face], CAP, np.minimum(place, SIDES - 1))

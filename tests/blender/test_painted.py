@@ -11,9 +11,9 @@ from scenes import curve, parameters_of, places, sweep
 
 from sweep_addon.bridge import carried
 from sweep_addon.core.contours import Circle, Outline, Rectangle
-from sweep_addon.core.rings.ends import Taper
+from sweep_addon.core.rings.ends import Round, Taper
 from sweep_addon.core.stations.sampling import Count
-from sweep_addon.core.trajectories import Line
+from sweep_addon.core.trajectories import Line, Polyline
 
 
 @pytest.fixture
@@ -185,6 +185,51 @@ def test_loops_of_a_contour_are_not_mixed_up(scene):
     paint(made.data, "inside", "FLOAT", "POINT", np.abs(places(made.data)[:, :2]).max(axis=1) < 0.6)
     parameters_of(made).samples_count_contours = 9
     assert (painted(made.data, "inside") == (np.abs(places(made.data)[:, :2]).max(axis=1) < 0.6)).all()
+
+
+def test_a_closed_path_of_uneven_steps_keeps_things_where_they_are(scene):
+    """A mitre moves what lies beside the path by half the contour's width along it."""
+    frame = Polyline([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], closed=True)
+    made = sweep(contour=Rectangle(0.02, 0.02), trajectory=frame)
+    for axis in range(3):
+        paint(made.data, "xyz"[axis], "FLOAT", "POINT", places(made.data)[:, axis])
+    group = parameters_of(made)
+    group.samples, group.samples_count_contours = "COUNT", 60
+    assert len(made.data.vertices) == 60 * 4
+    found = np.stack([painted(made.data, axis) for axis in "xyz"], axis=1)
+    assert np.abs(found - places(made.data)).max() <= 0.01 + 1e-6
+
+
+def test_ends_are_known_by_their_shape_whatever_material_they_have(ob):
+    mesh = ob.data
+    mesh.polygons.foreach_set("material_index", np.arange(len(mesh.polygons)) % 2)
+    paint(mesh, "Group", "INT", "FACE", [7 if p.loop_total == 8 else 1 for p in mesh.polygons])
+    group = parameters_of(ob)
+    group.samples_count_contours, group.contour_circle_points = 45, 20
+    assert (painted(mesh, "Group") == [7 if p.loop_total == 20 else 1 for p in mesh.polygons]).all()
+
+
+@pytest.mark.parametrize("end", [Round(), Taper(0.3)])
+def test_what_corners_and_faces_have_goes_where_there_are_tips(scene, end):
+    made = sweep(contour=Circle(0.2, points=8), trajectory=Line(end=(0, 0, 1)), samples=Count(11), end=end)
+    for domain, items in (("POINT", "vertices"), ("CORNER", "loops"), ("FACE", "polygons")):
+        paint(made.data, domain, "INT", domain, np.ones(len(getattr(made.data, items)), np.int32))
+    weigh(made, np.ones(len(made.data.vertices)))
+    parameters_of(made).samples_count_contours = 21
+    assert {"POINT", "CORNER", "FACE"} & named(made.data) == {"POINT"} and made.data.sweep.error == ""
+    assert (painted(made.data, "POINT") == 1).all() and (weights(made) == 1).all()
+
+
+@pytest.mark.parametrize("kind", ["INT16_2D", "INT32_2D"])
+def test_pairs_of_whole_numbers_are_those_of_the_nearest(ob, kind):
+    made = ob.data.attributes.new("Pair", kind, "POINT")
+    height = np.rint(10 * places(ob.data)[:, 2]).astype(np.int32)
+    made.data.foreach_set("value", np.column_stack((height, -height)).ravel())
+    parameters_of(ob).samples_count_contours = 31
+    found = np.array([tuple(each.value) for each in ob.data.attributes["Pair"].data])
+    assert np.array_equal(found[:, 0], np.rint(10 * places(ob.data)[:, 2])) and np.array_equal(
+        found[:, 1], -found[:, 0]
+    )
 
 
 def test_what_lies_on_no_grid_goes_as_before(scene):

@@ -36,7 +36,8 @@ SHAPES = {
 def found(before, after):
     """Between which old vertices the new ones lie, from what a Blender mesh keeps of the old ones."""
     known = before.attributes
-    return sources(known["arc_length"].astype(np.float32), known["v"].astype(np.float32), after.chart)
+    lengths = (known[name].astype(np.float32) for name in ("arc_length", "v"))
+    return sources(*lengths, before.vertices, before.topology.edges, after.chart)
 
 
 def tube(rings, points):
@@ -125,4 +126,46 @@ def test_what_is_no_grid_is_not_carried():
     assert found(joined([SHAPES["open"].mesh(), made]), made) is None
     known = made.attributes
     some = np.random.default_rng(0).permutation(len(made.vertices))[:200]
-    assert sources(known["arc_length"][some], known["v"][some], made.chart) is None
+    none = np.zeros((0, 2), int)
+    assert sources(known["arc_length"][some], known["v"][some], made.vertices[some], none, made.chart) is None
+
+
+FRAME = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)]
+
+
+@pytest.mark.parametrize("count", [60, 61, 200])
+def test_a_closed_path_of_uneven_steps_closes_with_its_own_last_step(count):
+    """A mitre moves what lies beside the path by half the contour's width along it, a new ring on a side by less."""
+    before, after = (
+        GeneralizedCylinder(Rectangle(0.02, 0.02), Polyline(FRAME, closed=True), **samples).mesh()
+        for samples in ({}, {"samples": Count(count)})
+    )
+    apart = found(before, after).blended(before.vertices) - after.vertices
+    assert len(after.vertices) > 2 * len(before.vertices)
+    assert np.abs(apart).max() <= 0.01 + 1e-6
+
+
+def sheathed(points):
+    return GeneralizedCylinder(Outline([points]), UP, Count(3)).mesh()
+
+
+def test_points_put_on_the_sides_of_a_contour_lie_on_them():
+    corners = [(0, 0), (3, 0), (3, 1), (0, 1)]
+    before, after = sheathed(corners), sheathed([(0, 0), (1.25, 0), (3, 0), (3, 1), (0.5, 1), (0, 1)])
+    assert len(after.vertices) == 1.5 * len(before.vertices)
+    assert np.allclose(found(before, after).blended(before.vertices), after.vertices, atol=1e-5)
+
+
+def test_points_put_on_the_sides_of_two_loops_lie_on_them():
+    hole = [(1, 0.25), (1, 0.5), (2.5, 0.5), (2.5, 0.25)]
+    loops = [(0, 0), (3, 0), (3, 1), (0, 1)], hole
+    finer = [(0, 0), (1.25, 0), (3, 0), (3, 1), (0.5, 1), (0, 1)], [*hole[:3], (2.5, 0.3), hole[3], (2, 0.25)]
+    before, after = (GeneralizedCylinder(Outline(list(points)), UP, Count(3)).mesh() for points in (loops, finer))
+    assert np.allclose(found(before, after).blended(before.vertices), after.vertices, atol=1e-5)
+
+
+def test_a_line_that_is_bent_to_a_ring_is_bent_whole():
+    before = tube(11, 8)
+    after = GeneralizedCylinder(Circle(0.1, points=8), Arc(2, 2 * np.pi), Count(20)).mesh()
+    share = after.attributes["arc_length"] / after.chart.total
+    assert np.allclose(found(before, after).blended(before.vertices)[:, 2], share, atol=1e-6)

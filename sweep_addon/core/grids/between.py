@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 EXACT = 1e-4  # of a step: so near to an old ring or column a new one is at it, for lengths are kept in single precision
+EVEN, ROUGHLY = 1e-3, 0.1  # of a step: how far even steps are apart, and by how much chords may be wrong
 
 
 class Between(NamedTuple):
@@ -58,13 +59,17 @@ def sided(part, values):
     return part.astype(values.dtype).reshape(-1, *(1,) * (values.ndim - 1))
 
 
-def sources(along, across, chart):
+def sources(along, across, places, edges, chart):
     """Between which old vertices each new one lies, along the path and round the contour.
 
     Parameters
     ----------
     along, across : (n,) float array
         The arc length and the length round the contour at each old vertex: `arc_length` and `v` of its chart.
+    places : (n, 3) float array
+        The old vertices, which tell how far it is from the last ring or column to the first.
+    edges : (e, 2) int array
+        The old edges, which tell whether there is such a step.
     chart : Chart
         Of the new vertices.
 
@@ -80,12 +85,17 @@ def sources(along, across, chart):
     table = np.full((len(rings), len(columns)), -1)
     table[ring, column] = np.arange(len(along))
     alone = np.count_nonzero(table >= 0) == len(along)
+    pole = np.count_nonzero(table >= 0, axis=0) == 1
     fill(table)
-    grid = chart.grid
-    round_contour = round_loops(columns, chart.columns()[0], grid)
-    if not alone or round_contour is None or (table < 0).any():
+    if not alone or (table < 0).any():
         return None
-    *rings, along = between(rings, chart.s, grid.closed)
+    grid, spots, level = chart.grid, places[table], ring[edges[:, 0]] == ring[edges[:, 1]]
+    round_contour = round_loops(columns, spots.swapaxes(0, 1), column[edges[level]], chart)
+    if round_contour is None:
+        return None
+    lines = edges[~pole[column[edges]].any(axis=1)]  # a pole is at all rings, though it is counted with the first
+    _, step = closing(rings, spots.mean(axis=1, keepdims=True), ring[lines], chart.total)
+    *rings, along = between(rings, chart.s, step, chart.total - np.ptp(chart.s) if grid.closed else None)
     *columns, across = round_contour
     whole, tips, lines, poles = grid.whole, list(grid.tips), grid.lines, list(grid.poles)
 
@@ -106,33 +116,69 @@ def fill(table):
     table[:, poles] = table[:, poles].max(axis=0)
 
 
-def round_loops(before, after, grid):
+def round_loops(before, spots, edges, chart):
     """Between which old columns of its own loop each new one lies: as `between`, or None where a loop is missing.
 
-    The loops lie side by side, so each starts at the same part of the whole as before.
+    The loops lie side by side, so each starts at the same part of the whole as before, and ends where the next one
+    starts: only the closing step of the last is to be measured.
     """
+    (after, ends), offsets = chart.columns(), chart.grid.offsets
     if len(before) == len(after):
         return np.arange(len(after)), np.arange(len(after)), np.zeros(len(after))
-    low, high, part = between(before, after, grid.columns - 1 not in grid.gaps)
-    starts = np.append(np.where(part > 0.5, high, low)[list(grid.offsets[:-1])], len(before))
-    if (np.diff(starts) < 1).any():
+    steps = [None if last - 1 in chart.grid.gaps else ends[last - 1] - after[last - 1] for last in offsets[1:]]
+    final, measured = closing(before, spots, edges, ends[-1] - after[offsets[-2]])
+    low, high, part = between(before, after, measured, steps[-1])
+    starts = np.where(part > 0.5, high, low)[list(offsets[:-1])]
+    starts[-1] = starts[-1] if measured is None else final
+    bounds = np.append(starts, len(before))
+    if (np.diff(bounds) < 1).any():
         return None
     found = []
-    for start, end, first, last in zip(starts, starts[1:], grid.offsets, grid.offsets[1:], strict=False):
-        low, high, part = between(before[start:end], after[first:last], last - 1 not in grid.gaps)
+    for start, end, first, last, new in zip(bounds, bounds[1:], offsets, offsets[1:], steps, strict=False):
+        old = before[end] - before[end - 1] if end < len(before) else measured
+        low, high, part = between(before[start:end], after[first:last], old, new)
         found.append((start + low, start + high, part))
     return tuple(map(np.concatenate, zip(*found, strict=True)))
 
 
-def between(before, after, closed):
+def closing(lengths, spots, edges, whole):
+    """To which place the last leads, and how long that step is, as lengths are measured; 0 and None where to none.
+
+    Parameters
+    ----------
+    lengths : (n,) float array
+    spots : (n, k, 3) float array
+        Where the places are in space, on k lines. The step is to the others as it is there, so scale does not matter.
+    edges : (e, 2) int array
+        Which places edges join. Most often those round a loop, and at ends perhaps those inside a cap.
+    whole : float
+        How long the new line is. Chords in space tell the step roughly: it is just what the even steps before are, or
+        what is left of a line that is as long as the new one, where that is about the same.
+    """
+    last = len(lengths) - 1
+    joined = edges[(edges == last).any(axis=1)].min(axis=1)
+    counts = np.bincount(joined[joined < last - 1], minlength=1)
+    if not counts.any():
+        return 0, None
+    first = int(np.flatnonzero(counts == counts.max())[-1])
+    apart = np.linalg.norm(np.diff(spots[first:], axis=0, append=spots[first : first + 1]), axis=-1).sum(axis=1)
+    span, steps = lengths[last] - lengths[first], np.diff(lengths[first:])
+    known = apart[:-1].sum()
+    found = span * apart[-1] / known if known > 0 else 0.0
+    likely = ([np.median(steps)] if np.ptp(steps) < EVEN * steps.max() else []) + [whole - span]
+    return first, next((step for step in likely if abs(step - found) < ROUGHLY * found), found)
+
+
+def between(before, after, old, new):
     """Between which old places each new one lies, on a line or on a ring of the same length.
 
     Parameters
     ----------
     before, after : (n,), (m,) float array
         Lengths, increasing.
-    closed : bool
-        Whether the last place leads to the first.
+    old, new : float or None
+        How long the step is that leads from the last place to the first, before and after; None where none does. A
+        line that is bent to a ring meets itself: its last place is the first as well.
 
     Returns
     -------
@@ -140,8 +186,8 @@ def between(before, after, closed):
     part : (m,) float array
         Which part of the way it is from the low one to the high one.
     """
-    known, wanted = parts(before, closed), parts(after, closed)
-    known = np.append(known, 1.0) if closed else known
+    known, wanted = parts(before, old), parts(after, new)
+    known = np.append(known, 1.0) if old is not None else known
     low = np.searchsorted(known, wanted, side="right") - 1
     high = np.minimum(low + 1, len(known) - 1)
     gap = known[high] - known[low]
@@ -151,9 +197,7 @@ def between(before, after, closed):
     return low % len(before), high % len(before), part
 
 
-def parts(places, closed):
+def parts(places, step):
     """Places as parts of the whole, which ends with the last one, or a step behind one that leads to the first."""
-    whole = places[-1] - places[0]
-    if closed and len(places) > 1:
-        whole += np.median(np.diff(places))
+    whole = places[-1] - places[0] + (step or 0.0)
     return (places - places[0]) / (whole or 1.0)
