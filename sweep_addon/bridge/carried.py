@@ -159,12 +159,14 @@ def corners_and_faces(mesh, found, made, along):
 
     A corner has it from its vertex. Where that lies between old ones, the old corners are those of the face between
     them, so nothing is mixed across a seam; where it is at one, the corner in a face on the same side of it. A face
-    has it from its first corner. There must be no tips and no poles.
+    has it from its first corner, and one of an end whose faces are others now from any there. There must be no tips and
+    no poles.
     """
     topology, starts = made.topology, np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get("loop_start", starts)
     corners = read(mesh.attributes[".corner_vert"])
     face, kind = kinds(np.append(starts, len(corners)), along[corners])
+    ends = np.flatnonzero(kind == CAP)
     table = np.full((len(mesh.vertices), CAP + 1), -1)
     table[corners, kind] = np.arange(len(corners))
     for some in (slice(CAP), slice(None)):  # of a face on another side; a cap's only where there is no other
@@ -172,7 +174,9 @@ def corners_and_faces(mesh, found, made, along):
     after = made.chart.spread(made.chart.s, (), (), float)
     _, kind = kinds(topology.offsets, after[topology.corners])
     found = found.of(topology.corners)
-    corner = found._replace(around=table[found.around, facing(kind, found)])
+    corner, anew = found._replace(around=table[found.around, facing(kind, found)]), np.flatnonzero(kind == CAP)
+    if np.array_equal(corners[ends], found.around[0, 0, anew]):  # the same ends, where faces may share vertices
+        corner.around[..., anew] = ends
     first = corner.of(topology.offsets[:-1])
     return corner, first._replace(around=face[first.around])
 

@@ -220,6 +220,17 @@ def test_what_corners_and_faces_have_goes_where_there_are_tips(scene, end):
     assert (painted(made.data, "POINT") == 1).all() and (weights(made) == 1).all()
 
 
+def test_the_faces_of_an_end_keep_their_own_while_the_contour_stays(scene):
+    """A square with a hole has ends of several faces, which share their corners."""
+    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    ob = sweep(contour=Outline([square, square[::-1] / 2]), trajectory=Line(end=(0, 0, 1)), samples=Count(3))
+    count, sides = len(ob.data.polygons), 2 * 8
+    paint(ob.data, "Number", "INT", "FACE", np.arange(count, dtype=np.int32))
+    parameters_of(ob).samples_count_contours = 9
+    assert count > sides + 2
+    assert painted(ob.data, "Number")[8 * 8 :].tolist() == list(range(sides, count))
+
+
 @pytest.mark.parametrize("kind", ["INT16_2D", "INT32_2D"])
 def test_pairs_of_whole_numbers_are_those_of_the_nearest(ob, kind):
     made = ob.data.attributes.new("Pair", kind, "POINT")
