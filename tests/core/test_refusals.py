@@ -39,6 +39,7 @@ def nested(depth):
         (lambda: Circle(radius="1\n2"), r"radius: must be a number of metres, got '1\n2'"),
         (lambda: Polyline(nested(5000)), "points: must be a list of 3 numbers each, got "),
         (lambda: Polyline(np.zeros((10**5, 2))), "points: must be a list of 3 numbers each, got array([[0., 0.], "),
+        (lambda: Polyline([[0, 0, 0], ["a" * 10**6]]), "points: must be a list of 3 numbers each, got ['aaaaaa"),
         (lambda: Polyline("a" * 10**6), "points: must be a list of 3 numbers each, got 'aaa"),
     ],
 )

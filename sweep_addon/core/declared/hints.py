@@ -142,7 +142,7 @@ def of_a_list(names):
 
 
 def first_wrong(value, columns):
-    """What a refusal shows of a value that is no list of rows: of a list with rows in it the first that is none.
+    """What a refusal shows, in 60 characters, of what is no list of rows: where it has some the first that is none.
 
     Parameters
     ----------
@@ -162,7 +162,8 @@ def first_wrong(value, columns):
     if isinstance(value, (list, tuple)) and any(map(rows, value)):
         for number, row in enumerate(value, 1):
             if not is_row(row, columns):
-                return f"{shown(row)} in row {number}"
+                text, place = shown(row), f" in row {number}"
+                return (text if len(text + place) <= 60 else f"{text[: 57 - len(place)]}...") + place
     return shown(value)
 
 
