@@ -194,9 +194,8 @@ class Triangles(Operand):
     @classmethod
     def of(cls, mesh):
         """The triangles of a `Mesh`, its larger faces cut into several."""
-        from ..meshes.facets import facets
 
-        return cls(mesh.vertices, facets(mesh)[0])
+        return cls(mesh.vertices, mesh.triangles)
 
     def scaled(self, factor):
         """The triangles made larger or smaller about the origin."""

@@ -5,7 +5,6 @@
 import numpy as np
 
 from ...distance import Tree, nearest
-from ...meshes.facets import facets
 from ...vectors import dot, norms
 from ..labels import ON, OUT
 
@@ -24,7 +23,7 @@ class SheetBody:
 
     def __init__(self, mesh):
         vertices = np.asarray(mesh.vertices, dtype=np.float64)
-        triangles = facets(mesh)[0] if len(mesh.corners) else np.zeros((0, 3), dtype=int)
+        triangles = mesh.triangles if len(mesh.corners) else np.zeros((0, 3), dtype=int)
         self.tree = Tree.of(vertices[triangles]) if len(triangles) else None
         edges = mesh.edges[np.bincount(mesh.topology.corner_edges, minlength=len(mesh.edges)) == 0]
         alone = np.setdiff1d(np.arange(len(vertices)), mesh.edges)

@@ -8,7 +8,6 @@ import numpy as np
 
 from ...distance import PseudoNormals, Tree, nearest
 from ...distance.triangles import INTERIOR, VERTEX
-from ...meshes.facets import facets
 from ...vectors import dot, norms, unit
 from ..motion.boxes import APART, from_box
 from ..motion.changes import ASIDE
@@ -36,7 +35,7 @@ class Sided:
     overlaps = False
 
     def __init__(self, mesh):
-        triangles = facets(mesh)[0]
+        triangles = mesh.triangles
         places = np.asarray(mesh.vertices, dtype=np.float64)[triangles].reshape(-1, 3)
         vertices, triangles = np.unique(places, axis=0, return_inverse=True)
         triangles = triangles.reshape(-1, 3)
