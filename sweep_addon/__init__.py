@@ -70,6 +70,7 @@ __all__ = [
     "laws",
     "limits",
     "load",
+    "machining",
     "presets",
     "reach",
     "sampling",
@@ -81,6 +82,7 @@ if find_spec("bpy"):  # else `import *` would ask for what plain Python does not
     __all__ += ["from_object", "to_object"]
 
 SPACES = ("contours", "corners", "directions", "ends", "frames", "laws", "limits", "sampling", "solids", "trajectories")
+SPACES_LATER = {"machining": ".core.machining", "presets": ".presets"}
 LATER = {
     "Curves": ".core.shapes.plant",
     "Edges": ".core.shapes.plant",
@@ -117,8 +119,8 @@ def __getattr__(name):
 
     if name == "__version__":
         return import_module(".core.version", __package__).version()
-    if name == "presets":
-        return import_module(".presets", __package__)
+    if name in SPACES_LATER:
+        return import_module(SPACES_LATER[name], __package__)
     if name not in LATER:
         found = [f"{space}.{name}" for space in SPACES if name in dir(globals()[space])]
         where = f": it is {' or '.join(found)}" if found else ""

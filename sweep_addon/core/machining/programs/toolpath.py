@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The moves that a program makes: where each ends, how fast, by which line and with which tool."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+RAPID, FEED, ARC, SPLINE = range(4)
+
+
+@dataclass(frozen=True, eq=False)
+class Toolpath:
+    """Moves of the tip of a tool, each from where the one before ended.
+
+    Attributes
+    ----------
+    points : (n, 3) float array
+        Where each move ends, in metres from the zero of the machine; the first begins there.
+    kinds : (n,) int8 array
+        0 for a rapid move, 1 for a straight one at a feed, 2 for an arc, 3 for a chord of a spline.
+    lines : (n,) int32 array
+        The line of the program that makes each, from 1.
+    tools : (n,) int32 array
+        The tool in the spindle, 0 before one is called.
+    arcs : (k,) int array
+        Which moves are arcs.
+    centres, turns : (k, 3) float arrays
+        Their centres, and their rotations: the axis times the angle in radians. What lies along the axis between the
+        ends is covered evenly meanwhile: a helix.
+    first : int
+        The first move of which all of the start is known. Those before come from wherever the tool was.
+    """
+
+    points: np.ndarray
+    kinds: np.ndarray
+    lines: np.ndarray
+    tools: np.ndarray
+    arcs: np.ndarray
+    centres: np.ndarray
+    turns: np.ndarray
+    first: int
+
+    def __len__(self):
+        return len(self.points)
+
+    @property
+    def rapid(self):
+        """Which moves are rapid: (n,) bool."""
+        return self.kinds == RAPID
+
+    @property
+    def starts(self):
+        """Where each move begins: (n, 3)."""
+        return np.concatenate((np.zeros((1, 3)), self.points[:-1]))[: len(self)]
+
+    def segments(self, tolerance):
+        """Straight pieces of all moves from the first known one on, with chords at most so far from arcs.
+
+        Parameters
+        ----------
+        tolerance : float
+            In metres.
+
+        Returns
+        -------
+        starts, ends : (m, 3) float arrays
+        moves : (m,) int array
+            The move that each is part of.
+
+        Examples
+        --------
+        >>> from sweep_addon.core.machining.programs import read
+        >>> half = read("G21 F100\\nG0 X10 Y0 Z0\\nG3 X-10 I-10")
+        >>> starts, ends, moves = half.segments(1e-3)
+        >>> len(ends), bool(np.allclose(np.hypot(*ends[:, :2].T), 0.01))
+        (4, True)
+        """
+        counts = np.ones(len(self), dtype=np.int64)
+        counts[self.arcs] = pieces(self.radii(), np.linalg.norm(self.turns, axis=1), tolerance)
+        counts[: self.first] = 0
+        moves = np.repeat(np.arange(len(self)), counts)
+        last = np.cumsum(counts)
+        ends = self.points[moves]
+        for arc, centre, turn in zip(self.arcs, self.centres, self.turns, strict=True):
+            if counts[arc] > 1:  # the last point is that of the program itself
+                parts = np.arange(1, counts[arc]) / counts[arc]
+                start = self.points[arc - 1] if arc else np.zeros(3)
+                ends[last[arc] - counts[arc] : last[arc] - 1] = along(start, self.points[arc], centre, turn, parts)
+        begin = self.points[self.first - 1] if self.first else np.zeros(3)
+        return np.concatenate((begin[None], ends[:-1]))[: len(ends)], ends, moves
+
+    def radii(self):
+        """The larger of the radii of each arc at its ends: (k,)."""
+        normals = self.turns / np.linalg.norm(self.turns, axis=1, keepdims=True) if len(self.arcs) else self.turns
+        return np.maximum(
+            *(
+                np.linalg.norm(np.cross(normals, ends[self.arcs] - self.centres), axis=1)
+                for ends in (self.starts, self.points)
+            )
+        )
+
+
+def pieces(radii, angles, tolerance):
+    """How many equal chords stay within a tolerance of arcs: (k,)."""
+    sagitta = np.clip(tolerance / np.maximum(radii, 1e-300), 1e-12, 1.0)
+    return np.maximum(1, np.ceil(angles / (2 * np.arccos(1 - sagitta)) - 1e-9)).astype(np.int64)
+
+
+def along(start, end, centre, turn, parts):
+    """Points of an arc or helix at parts of its way; its radius goes evenly from that of the start to the end's."""
+    angle = np.linalg.norm(turn)
+    axis = turn / angle
+    radial = start - centre - axis * ((start - centre) @ axis)
+    side = np.cross(axis, radial)
+    final = end - centre - axis * ((end - centre) @ axis)
+    growth = 1 + parts * (np.linalg.norm(final) / max(np.linalg.norm(radial), 1e-300) - 1)
+    lift = (start - centre) @ axis + parts * ((end - start) @ axis)
+    turned = np.cos(angle * parts)[:, None] * radial + np.sin(angle * parts)[:, None] * side
+    return centre + growth[:, None] * turned + lift[:, None] * axis

@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Programs of machines: the moves that LinuxCNC's own interpreter makes of them, or a refusal that says why not."""
+
+import re
+
+import numpy as np
+import pytest
+import rs274_oracle as oracle
+
+import sweep_addon as sw
+from sweep_addon.core.machining.programs import reading
+
+REFUSED_HERE = {  # by what the refusal says, of programs that LinuxCNC runs, or runs farther
+    "cutter radius compensation": {
+        "cncjs_helical-thread-milling.gcode", "dxf2gcode_IFluegel_Rippen_b2_0201_b.ngc", "linuxcnc_cam.ngc",
+        "linuxcnc_ccomp-gouging.ngc", "linuxcnc_ccomp_mill-line-arc-entry.ngc", "linuxcnc_ccomp_mill-zchanges.ngc",
+        "linuxcnc_crazy-paths.ngc", "linuxcnc_inside-corners.ngc", "linuxcnc_inverse.ngc",
+    },
+    "a cycle of a lathe": {"linuxcnc_g71-with-g70.ngc"},
+    "threads of a lathe": {"linuxcnc_g76only.ngc"},
+    "programs of three axes": {"linuxcnc_g53.ngc", "linuxcnc_unit-conversion.ngc"},
+    "in the plane of G17 alone": {"linuxcnc_g19-g98-g84.ngc"},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("path", oracle.ORACLES, ids=lambda path: path.name.removesuffix(".canon.gz"))
+def test_a_real_program_makes_the_moves_of_linuxcnc_or_is_refused_by_name(path):
+    told = oracle.Told(path)
+    here, refused = oracle.read_here(oracle.text_of(path))
+    differ, (_, missing) = oracle.differences(here, told.moves)
+    assert differ == []
+    name = path.name.removesuffix(".canon.gz")
+    reasons = [reason for reason, names in REFUSED_HERE.items() if name in names]
+    if reasons or told.refusal:
+        assert re.match(r"line \d+ ", refused)
+        assert told.refusal or reasons[0] in refused
+    else:
+        assert (refused, missing) == ("", 0)
+        assert len(here) >= len([move for move in told.moves if move.kind in "AN"])
+
+
+def test_the_programs_are_there():
+    assert len(oracle.ORACLES) == 60
+    assert sum(len(oracle.Told(path).moves) for path in oracle.ORACLES[:40]) > 10_000
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        ("2 + 3 * 4 ** 2 ** 2 / 8", 2 + 3 * (4**2) ** 2 / 8),  # of operators that bind alike the left one is first
+        ("[1 + 2] * -3", -9),
+        ("- - 2 ** 2", 4),  # a sign binds more than an operator
+        ("10 MOD 3", 1), ("-10 mod 3", 2), ("7 gt 3 and 0 or 1 xor 1", 0),
+        ("1.00005 eq 1", 1), ("1.001 eq 1", 0), ("1 ne 2", 1), ("1 le 1.00005", 1), ("2 ge 2.00005", 1), ("2 lt 2", 0),
+        ("sin[30] + cos[60] + tan[45]", 2), ("asin[1] + acos[0] + atan[1]/[-1]", 315),
+        ("sqrt[abs[-16]] + exp[0] + ln[1]", 5), ("round[-2.5] + round[2.5] + fix[-2.1] + fup[2.1]", 0),
+        ("#1 + ##2 + #<deep> + #[1 + 1]", 5 + 5 + 7 + 1), ("exists[#<deep>] + exists[#<shallow>]", 1), (".5e", None),
+    ],
+)  # fmt: skip
+def test_an_expression_is_what_the_language_says(expression, expected):
+    program = f"#1 = 5\n#2 = 1\n#<deep> = 7\nG0 X0 Y0 Z0\nG0 X[{expression}]"
+    if expected is None:
+        with pytest.raises(sw.ShapeError, match=r"^line 5 needs ']' before 'e]'$"):
+            sw.machining.read(program)
+    else:
+        assert sw.machining.read(program).points[-1, 0] == pytest.approx(expected * 1e-3, abs=1e-15)
+
+
+def ends(text):
+    """Where the moves of a program end, in millimetres."""
+    return np.round(sw.machining.read(text).points * 1e3, 9).tolist()
+
+
+def test_parameters_of_a_line_are_set_after_it_is_read():
+    assert ends("#1 = 3\n#1 = 4 G0 X#1\nX#1") == [[3, 0, 0], [4, 0, 0]]
+
+
+def test_subroutines_have_arguments_names_and_values_of_their_own():
+    text = """
+        #1 = 7
+        o<corner> sub
+        #<size> = [#1 * 2]
+        G0 X#<size> Y#2
+        o<corner> endsub [#<size> + 1]
+        o<corner> call [2] [5]
+        G0 X#1 Y#<_value> Z[exists[#<size>]]
+    """
+    assert ends(text) == [[4, 5, 0], [7, 5, 0]]
+
+
+def test_loops_and_branches_go_where_they_lead():
+    text = """
+        #1 = 0
+        o1 repeat [2]
+          #1 = [#1 + 1]
+          G0 X#1
+        o1 endrepeat
+        o2 while [1]
+          #1 = [#1 + 1]
+          o3 if [#1 lt 5]
+            o2 continue
+          o3 elseif [#1 eq 6]
+            o2 break
+          o3 else
+            G0 X#1
+          o3 endif
+        o2 endwhile
+        o4 do
+          #1 = [#1 - 3]
+          G0 X#1
+        o4 while [#1 gt 0]
+    """
+    assert [x for x, _, _ in ends(text)] == [1, 2, 5, 3, 0]
+
+
+def test_arcs_by_radius_are_those_by_centre():
+    """From 3 to 12 o'clock of a circle: a quarter, and with a negative radius the other three quarters."""
+    for code, radius, centre, turn in [(3, 10, 0, 0.5), (2, -10, 0, -1.5), (2, 10, 0.01, -0.5), (3, -10, 0.01, 1.5)]:
+        arc = sw.machining.read(f"F9 G0 X10 Y0 Z0\nG{code} X0 Y10 R{radius}")
+        assert np.allclose(arc.centres, [centre, centre, 0], atol=1e-15)
+        assert np.allclose(arc.turns, [0, 0, turn * np.pi])
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-5])
+def test_chords_of_a_helix_stay_within_the_tolerance(tolerance):
+    path = sw.machining.read("F9 G0 X10 Y0 Z0\nG3 X10 Y0 Z-6 I-10 P3")
+    starts, ends, moves = path.segments(tolerance)
+    middle = np.linalg.norm(((starts + ends) / 2)[moves == 1, :2], axis=1)
+    assert np.allclose(np.linalg.norm(ends[:, :2], axis=1), 0.01, atol=1e-15)
+    assert 0.5 * tolerance < 0.01 - middle.min() <= tolerance
+    angle = np.unwrap(np.arctan2(*ends[moves == 1][:, 1::-1].T))
+    assert np.allclose(ends[moves == 1][:, 2], -0.006 * (angle - angle[0] + angle[1] - angle[0]) / (6 * np.pi))
+
+
+def test_moves_from_an_unknown_place_are_told_from_the_others():
+    """A rapid move comes from wherever the tool was, until each axis has been told a place, or something is cut."""
+    assert sw.machining.read("F9 G0 Z5\nX1 Y1\nG1 Z-1").first == 2
+    assert sw.machining.read("F9 G1 X5").first == 0
+    assert sw.machining.read("G0 X1").first == 1
+
+
+def test_plain_lines_read_at_once_are_those_read_one_by_one():
+    """A blank after the number of its code keeps a line from being plain for nobody; an expression does."""
+    random = np.random.default_rng(3)
+    lines = ["G10 L2 P1 X3 Y4 R30", "G0 X0 Y0 Z5", "G92 X1", "G1 F100 X1"]
+    for number in random.uniform(-9, 9, (60, 3)).round(3):
+        words = [f"{letter}{n}" for letter, n in zip("XYZ", number, strict=True) if random.random() < 0.7] or ["X1"]
+        lines.append("".join([random.choice(["", "G0", "G01", "g1"]), *words, random.choice(["", "F7", " f 8.5"])]))
+    plain = sw.machining.read("\n".join([*lines, "G91", *lines[4:]]))
+    slow = sw.machining.read("\n".join([*(line + "(aside)" for line in [*lines, "G91", *lines[4:]])]))
+    assert np.allclose(plain.points, slow.points, atol=1e-15)
+    assert [getattr(plain, name).tolist() for name in ("kinds", "lines", "tools")] == [
+        getattr(slow, name).tolist() for name in ("kinds", "lines", "tools")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("G0 X1\nG1 X2", "line 2 moves at a feed before there is one: F"),
+        ("G1 F9 X1\nX2\nX3\nX4\nG93\nX5", "line 6 moves at a feed without its F, which G93 needs with each move"),
+        ("X1", "line 1 has X without a G code that says how to move"),
+        ("G0 X1 X2", "line 1 has two words X"),
+        ("G0 G1 X1", "line 1 has G0 and G1, of which only one can be meant"),
+        ("G12.3", "line 1 has G12.3, which is not known"),
+        ("M123", "line 1 has M123, which is not known"),
+        ("G28 Z0", "line 1 has G28, a move to the home of the machine, which the program does not tell, which is not"),
+        ("G41 D1", "line 1 has G41, cutter radius compensation, which is not read"),
+        ("G0 A90", "line 1 moves A to 90; programs of three axes are read, and others keep 0"),
+        ("G0 X[1 + ]", "line 1 needs a number before ']'"),
+        ("G0 X[1", "line 1 needs ']' at its end"),
+        ("G0 X#<size>", "line 1 asks for parameter #<size>, which is not set"),
+        ("G0 X#5063", "line 1 asks for parameter #5063, which only a machine knows"),
+        ("#5221 = 3", "line 1 sets parameter #5221, which is the machine's: a program may set #1 to #5000"),
+        ("G0 X[1/0]", "line 1 calculates 1 / 0, which has no value"),
+        ("G0 X[sqrt[-1]]", "line 1 calculates sqrt[-1], which has no value"),
+        ("G0 X[[0 - 8] ** 0.5]", "line 1 calculates -8 ** 0.5, which has no value"),
+        ("G0 X[10**10]", "line 1 moves to 1e+07 m, farther than any machine"),
+        ("o<x> call", "line 1 calls subroutine o<x>, which the text does not have"),
+        ("o1 while [1]", "line 1 begins while, which does not end: endwhile"),
+        ("o1 endif", "line 1 has endif of a label that nothing was begun with"),
+        ("o1 break", "line 1 has break outside of a loop of its label"),
+        ("o1 if [1]\no2 do\no1 endif\no2 while [0]", "line 3 ends if before do in it has ended"),
+        ("G17\n(not closed", "line 2 has a bracket of a comment without the other"),
+        ("G1 F9 X1\nG2 X2 R0.1", "line 2 has an arc of radius 0.1 between ends that are 1 apart"),
+        ("G1 F9 X1\nG2 X2 I1", "line 2 has an arc without radius"),
+        ("G1 F9 X1\nG2 X2 I0.4", "line 2 has an arc whose ends are 0.4 mm and 0.6 mm from its centre, which must"),
+        ("G1 F9 X1\nG2 X2", "line 2 has an arc without its radius R or centre I, J, K"),
+        ("G81 F9 X1 R1", "line 1 needs Z, the depth of its canned cycle"),
+        ("G81 F9 X1 Z-1", "line 1 needs R, the height above which its canned cycle moves fast"),
+        ("G83 F9 X1 Z-1 R1", "line 1 needs Q, how deep each peck of G83 goes, of more than 0"),
+        ("G81 F9 Z2 R1", "line 1 has R, where its canned cycle begins to feed, below the depth it goes to"),
+        ("%\nG0 X1\n%\nG99.9", ""),
+        ("G0 X1 ; comment (of any kind\n/ G99.9", ""),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_or_not_known_is_told_with_its_line(text, sentence):
+    if not sentence:
+        assert len(sw.machining.read(text)) == 1
+        return
+    with pytest.raises(sw.ShapeError, match="^" + re.escape(sentence)):
+        sw.machining.read(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "o1 while [1]\no1 endwhile",
+        "o1 sub\no1 call\no1 endsub\no1 call",
+        "O1\nM98 P1\nM99",
+        "o1 repeat [1000000000]\no1 endrepeat",
+        "M98 P7 L999999999\nM30\nO7\nM99",
+        "G0 X0 Y0 Z9\nG91 G81 F9 X1 Z-1 R1 L999999999",
+        "G0 X0 Y0 Z9\nG83 F9 X1 Z-1 R1 Q0.0000000001",
+        "G1 F9 X" + "[" * 5000 + "1" + "]" * 5000,
+        "G1 F9 X" + "-" * 5000 + "1",
+        "G1 F9 X[" + "1+" * 9000 + "1]",
+        "G1 F9 X[9**9**9**9]",
+        "G2 F9 X1 Y0 R1 P1000000000",
+    ],
+)
+def test_a_hostile_program_is_refused_soon(text, monkeypatch):
+    monkeypatch.setattr(reading, "MOST_STEPS", 20_000)  # of a million, which take some seconds
+    with pytest.raises(sw.ShapeError, match=r"^line \d+ "):
+        sw.machining.read(text)
