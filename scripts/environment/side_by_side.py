@@ -14,7 +14,7 @@ from . import BUILD, CHECKOUT, hosts
 from .running import Counts
 
 AT_ONCE = 2  # a Blender and its tests take a gigabyte
-LONGEST = "real Blender", "plain Python", "installed zip", "window", "bpy wheel", "NumPy alone"  # the last is shortest
+LONGEST = "plain Python", "real Blender", "installed zip", "window", "bpy wheel", "NumPy alone"  # the last is shortest
 SCRIPT = CHECKOUT / "scripts" / "test"
 
 
