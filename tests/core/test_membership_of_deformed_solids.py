@@ -73,6 +73,7 @@ def test_a_ball_that_is_bent_stays_round_across():
     assert (sw.classify(sweep, points) == np.where(inside, 1, -1))[clear].all()
 
 
+@pytest.mark.thorough
 def test_a_bar_that_is_bent_to_an_open_ring_keeps_its_gap():
     """Bent by 5.6 of a turn of 2 pi, and moved along the axis: both ends are near each other, and far in the bar."""
     turn, radius = 5.6, 0.6
