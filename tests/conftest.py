@@ -37,7 +37,7 @@ LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --f
 FAST = os.environ.get("SWEEP_FAST") == "1"
 SLOW = pytest.mark.skip(reason="slow: runs without SWEEP_FAST=1 (scripts/test --fast)")
 KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
-THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python (scripts/test --full: everywhere)")
+THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python, or with SWEEP_FULL=1")
 
 settings.register_profile("brief", deadline=None, database=None, derandomize=True, max_examples=10)
 settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=50)
