@@ -73,6 +73,7 @@ __all__ = [
     "machining",
     "presets",
     "reach",
+    "removal_path",
     "sampling",
     "solids",
     "sweep_to_csg",
@@ -105,6 +106,7 @@ LATER = {
     "to_object": ".bridge.objects",
     "from_object": ".bridge.objects",
     "reach": ".core.envelopes.reach",
+    "removal_path": ".core.removal",
     "sweep_to_csg": ".core.conversion",
 }
 

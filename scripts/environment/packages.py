@@ -16,6 +16,7 @@ from .steps import locked, step
 from .venvs import PLAIN, made
 
 PINNED = Path(__file__).with_name("wheels.txt")
+LACKED = Path(__file__).with_name("wheels_not_for_windows_arm.txt")
 WHEELS, INSIDE = BUILD / "wheels", BUILD / "inside"
 PYTHONS = ("3.11", "3.13", "3.14")  # of Blender 4.5 and 5.0, of 5.1 and newer, and of Debian's
 PLATFORMS = ("manylinux_2_28_x86_64", "win_amd64", "win_arm64", "macosx_11_0_arm64", "macosx_11_0_x86_64")
@@ -27,7 +28,7 @@ TESTS = ("pytest", "hypothesis")
 def wheels():
     """The pinned wheels for all platforms and Pythons of Blender, downloaded once."""
     stamp = WHEELS / "pinned.txt"
-    wanted = PINNED.read_text() + repr((PYTHONS, PLATFORMS))
+    wanted = PINNED.read_text() + LACKED.read_text() + repr((PYTHONS, PLATFORMS))
     with locked(BUILD / "venv" / "wheels.lock"):
         if not stamp.exists() or stamp.read_text() != wanted:
             shutil.rmtree(WHEELS, ignore_errors=True)
@@ -40,9 +41,10 @@ def wheels():
 def download(python, machine):
     pip = [made(PLAIN), "-I", "-m", "pip", "download", "--quiet", "--disable-pip-version-check"]
     options = ["--no-deps", "--only-binary=:all:", f"--python-version={python}", f"--platform={machine}"]
+    pinned = [PINNED, *([] if machine == "win_arm64" else [LACKED])]
     step(
         f"wheels to bundle: Python {python}, {machine}",
-        [*pip, *options, "--requirement", PINNED, "--find-links", WHEELS, "--dest", WHEELS],
+        [*pip, *options, *(f"--requirement={path}" for path in pinned), "--find-links", WHEELS, "--dest", WHEELS],
     )
 
 

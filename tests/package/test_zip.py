@@ -57,12 +57,15 @@ def test_bundled_wheels_run_on_every_platform_and_are_declared(names):
     pure = {name for name in bundled if name.endswith("-none-any.whl")}
     assert {name.rpartition("/")[2].partition("-")[0] for name in pure} == {"svgelements", "fonttools"}
     compiled = [name.removesuffix(".whl").split("-") for name in bundled - pure]
-    assert {name for name, *_ in compiled} == {"./wheels/manifold3d"}
-    systems = "manylinux.*x86_64", "win_amd64", "win_arm64", "macosx.*x86_64", "macosx.*arm64"
+    systems = "manylinux.*x86_64", "win_amd64", "macosx.*x86_64", "macosx.*arm64"
+    needed = {"./wheels/manifold3d": (*systems, "win_arm64"), "./wheels/python_fcl": systems}
     pythons = "cp311", "cp313", "cp314"
-    assert len(compiled) == len(systems) * len(pythons)
-    for python, system in itertools.product(pythons, systems):
-        assert any(tag == python and re.fullmatch(system, machine) for _, _, tag, _, machine in compiled)
+    assert {name for name, *_ in compiled} == set(needed)
+    assert len(compiled) == sum(map(len, needed.values())) * len(pythons)
+    for library, platforms in needed.items():
+        for python, system in itertools.product(pythons, platforms):
+            found = [machine for name, _, tag, _, machine in compiled if (name, tag) == (library, python)]
+            assert any(re.fullmatch(system, machine) for machine in found)
 
 
 def test_zip_installs_and_enables(installed):
@@ -77,7 +80,7 @@ def test_command_is_there_once_installed(installed):
 
 def test_bundled_libraries_are_imported_from_the_extension(installed):
     answer = blender(
-        "--python-exit-code", "1", "--python-expr", "import svgelements, fontTools, manifold3d; print(svgelements)"
+        "--python-exit-code", "1", "--python-expr", "import svgelements, fontTools, manifold3d, fcl; print(fcl)"
     )
     assert answer.returncode == 0, answer.stdout
     assert os.environ["SWEEP_BLENDER_USER"] in answer.stdout

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether bodies touch, and how far apart they are: the one place that asks python-fcl.
+
+Its ``continuousCollide`` is not asked: it misses walls that are crossed in one step, and spoils the objects that it is
+given. A body wholly inside another touches nothing for it, so that is asked of `Body.depths`.
+"""
+
+import numpy as np
+
+from ..declared.parameters import ShapeError
+
+MISSING = "needs the library python-fcl, which is missing here: pip install python-fcl"
+
+
+def library():
+    """The module fcl, or a refusal that says how to get it."""
+    try:
+        import fcl
+    except ImportError as error:
+        raise ShapeError(f"A removal path {MISSING}") from error
+    return fcl
+
+
+def hull_tree(vertices, triangles):
+    """Triangles in the form of fcl: places (n, 3) in metres, and the vertices of each (t, 3)."""
+    model = library().BVHModel()
+    model.beginModel(len(vertices), len(triangles))
+    model.addSubModel(np.ascontiguousarray(vertices, np.float64), np.ascontiguousarray(triangles, np.int32))
+    model.endModel()
+    return model
+
+
+class Surroundings:
+    """Surfaces that stand still, of which it is asked how near others are.
+
+    Parameters
+    ----------
+    bodies : list of Body
+    """
+
+    def __init__(self, bodies):
+        self.fcl, self.bodies = library(), list(bodies)
+        self.manager = self.fcl.DynamicAABBTreeCollisionManager()
+        self.manager.registerObjects([self.fcl.CollisionObject(body.model) for body in self.bodies])
+        self.manager.setup()
+
+    def touched(self, moving):
+        """Whether something moving, an ``fcl.CollisionObject``, has a point in common with any of the surfaces."""
+        data = self.fcl.CollisionData()
+        self.manager.collide(moving, data, self.fcl.defaultCollisionCallback)
+        return data.result.is_collision
+
+    def clearance(self, moving):
+        """How far something moving is from the nearest surface: in metres, 0 where they meet."""
+        data = self.fcl.DistanceData()
+        self.manager.distance(moving, data, self.fcl.defaultDistanceCallback)
+        return max(float(data.result.min_distance), 0.0)
+
+    def touching(self, moving):
+        """The numbers of the bodies whose surfaces something moving has a point in common with."""
+        found = set()
+        for number, body in enumerate(self.bodies):
+            result = self.fcl.CollisionResult()
+            standing = self.fcl.CollisionObject(body.model)
+            if self.fcl.collide(standing, moving, self.fcl.CollisionRequest(), result):
+                found.add(number)
+        return found
+
+
+class Moving:
+    """A surface that is asked for in many poses.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float array
+    triangles : (t, 3) int array
+    """
+
+    def __init__(self, vertices, triangles):
+        self.fcl, self.vertices, self.triangles = library(), vertices, triangles
+        self.object = self.fcl.CollisionObject(hull_tree(vertices, triangles))
+
+    def at(self, pose):
+        """The same in a `Pose`."""
+        self.object.setTransform(self.fcl.Transform(pose.matrix, pose.origin))
+        return self.object
