@@ -93,8 +93,8 @@ def draw_sweep(layout, context, mesh, say):
             say(layout, sentence, "INFO")
     column = layout.column(align=True)
     column.label(text=objects.title(shape), icon_value=previews.icon(shape))
-    counted = "segments" if grown else "contours"
-    column.label(text=f"{sweep.rings:,} {counted}, {len(mesh.polygons):,} faces", icon="BLANK1")
+    counted = f"{sweep.rings:,} {'segments' if grown else 'contours'}, " if sweep.rings else ""
+    column.label(text=f"{counted}{len(mesh.polygons):,} faces", icon="BLANK1")
     if grown:
         l_system.draw_size(column, mesh, say)
         l_system.draw_text(layout, group, say)

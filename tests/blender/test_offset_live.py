@@ -162,7 +162,7 @@ def test_in_a_window_a_rough_offset_stands_until_the_true_one_is_made(scene, mon
     work = solving.work_of(ob.data)
     work.thread.join()
     solving.finish(ob.data, work)
-    assert ob.data.sweep.solid == "" and "Offset by" in ob.data.sweep.told
+    assert ob.data.sweep.solid == "" and "Engine convex, as" in ob.data.sweep.told
 
 
 def test_it_meets_itself_nowhere_and_has_no_frames(scene):

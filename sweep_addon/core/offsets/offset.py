@@ -79,9 +79,9 @@ class Offset:
         """Sentences about the offset for people."""
         bounds = [self.lower.min(), self.upper.max()]
         most = [np.quantile(self.lower, RANGE[0]), np.quantile(self.upper, RANGE[1])]
-        between = [" to ".join(f"{x / radius:.3g}" for x in pair) for pair in (most, bounds)]
+        between = dict.fromkeys(" to ".join(f"{x / radius:.3g}" for x in pair) for pair in (bounds, most))
         name = self.engine.name.lower().replace("_", " ")
-        yield f"Offset by {name}, as {self.reason}: {between[0]} radii away, nowhere beyond {between[1]}."
+        yield f"Engine {name}, as {self.reason}. Proved to be {', nearly all of it '.join(between)} radii away."
         if bounds[0] < ROUGH * radius:
             cells = self.engine == Engine.LEVEL_SET
             large = "radius is small beside the cells" if cells else "tolerance is large beside the radius"

@@ -93,8 +93,8 @@ class OffsetSurface(Operand):
         >>> mesh = OffsetSurface().mesh()
         >>> len(mesh.boundary_edges()), mesh.euler_characteristic()
         (0, 2)
-        >>> mesh.told[0].split(":")[0]
-        'Offset by rounded faces, as the solid has no more than 2000 flat faces'
+        >>> mesh.told[0].split(".")[0]
+        'Engine rounded faces, as the solid has no more than 2000 flat faces'
         """
         if self.is_plane:
             return in_the_plane.mesh(self.outline(), dtype)
