@@ -84,42 +84,20 @@ def draw_sweep(layout, context, mesh, say):
     grown = shape is Plant
     if sweep.error and not (grown and l_system.problems(group)):  # which have places of their own
         say(layout, sweep.error, "ERROR", alert=True)
-    if mesh.is_editmode:
-        say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
-    elif sweep.edited:
-        say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
-    for sentence in sweep.told.split("\n"):
-        if sentence and not sentence.startswith(PREFIX):
-            say(layout, sentence, "INFO")
-    column = layout.column(align=True)
-    column.label(text=objects.title(shape), icon_value=previews.icon(shape))
-    counted = f"{sweep.rings:,} {'segments' if grown else 'contours'}, " if sweep.rings else ""
-    column.label(text=f"{counted}{len(mesh.polygons):,} faces", icon="BLANK1")
+    draw_state(layout, mesh, say)
+    column = draw_size(layout, sweep, mesh, shape)
     if grown:
         l_system.draw_size(column, mesh, say)
         l_system.draw_text(layout, group, say)
         l_system.draw_constants(layout, group)
-    column = layout.column()
-    column.use_property_split = True
-    column.use_property_decorate = True
-    if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
-        say(column, "Hold Alt to change all.", "INFO")
     beside = l_system.followed(group) if grown else ()
     declared = [p for p in parameters(shape) if p.group != MEETING and p.name not in beside]  # they stand elsewhere
-    bodies = declared_layout.draw(column, group, declared)
-    frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
-    if frames and hasattr(shape, "frames"):
-        frames.prop(context.window_manager, "sweep_show_frames")
+    draw_parameters(layout, context, mesh, declared, say)
     if not grown:
         draw_self_intersections(layout, sweep, say)
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
-    names = {p.name for p in declared if p.accepts}
-    editable = [name for name in EDITABLE if name in names and (name != "body" or edits_body(group))]
-    for some in filter(None, (editable[:2], editable[2:])):
-        row = layout.row(align=True)
-        for name in some:
-            row.operator("object.sweep_edit_as_curve", text=f"Edit {name.title()}").parameter = name
+    draw_editing(layout, group, declared)
     if shape is TranslationalSweep:
         layout.operator("object.sweep_convert_to_csg")
     if hasattr(shape, "bend"):
@@ -132,6 +110,50 @@ def draw_sweep(layout, context, mesh, say):
     row = layout.row(align=True)
     row.operator("object.sweep_copy", text="Copy as Python").form = "PYTHON"
     row.operator("object.sweep_copy", text="Copy as Job").form = "JOB"
+
+
+def draw_state(layout, mesh, say):
+    """What keeps the mesh from its parameters, and what was decided where they left it open."""
+    if mesh.is_editmode:
+        say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
+    elif mesh.sweep.edited:
+        say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
+    for sentence in mesh.sweep.told.split("\n"):
+        if sentence and not sentence.startswith(PREFIX):
+            say(layout, sentence, "INFO")
+
+
+def draw_size(layout, sweep, mesh, shape):
+    """The name of the shape, and how much its mesh is of; the column that says so."""
+    column = layout.column(align=True)
+    column.label(text=objects.title(shape), icon_value=previews.icon(shape))
+    counted = f"{sweep.rings:,} {'segments' if shape is Plant else 'contours'}, " if sweep.rings else ""
+    column.label(text=f"{counted}{len(mesh.polygons):,} faces", icon="BLANK1")
+    return column
+
+
+def draw_parameters(layout, context, mesh, declared, say):
+    """The parameters, in the panels of their groups."""
+    shape, group = objects.group_of(mesh)
+    column = layout.column()
+    column.use_property_split = True
+    column.use_property_decorate = True
+    if any(is_like(other, mesh) for other in context.selected_objects[:LOOKED_AT]):
+        say(column, "Hold Alt to change all.", "INFO")
+    bodies = declared_layout.draw(column, group, declared)
+    frames = bodies.get("Frame") if any(p.group == "Frame" for p in declared) else bodies[""]
+    if frames and hasattr(shape, "frames"):
+        frames.prop(context.window_manager, "sweep_show_frames")
+
+
+def draw_editing(layout, group, declared):
+    """Buttons for those parameters that may become objects of the scene."""
+    names = {p.name for p in declared if p.accepts}
+    editable = [name for name in EDITABLE if name in names and (name != "body" or edits_body(group))]
+    for some in filter(None, (editable[:2], editable[2:])):
+        row = layout.row(align=True)
+        for name in some:
+            row.operator("object.sweep_edit_as_curve", text=f"Edit {name.title()}").parameter = name
 
 
 def edits_body(group):
