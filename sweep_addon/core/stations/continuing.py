@@ -7,6 +7,7 @@ It is continued between many places of its own, so that it does not depend on ho
 
 from functools import lru_cache
 from math import tau
+from typing import NamedTuple
 
 import numpy as np
 
@@ -53,17 +54,11 @@ def closely(frame, trajectory):
     return s, sampling.stations(trajectory, s[:-1] if trajectory.closed else s)
 
 
-@lru_cache(maxsize=16)
-def continued(frame, trajectory):
+class Continued(NamedTuple):
     """How a frame goes on along a trajectory, however few contours stand there.
 
     Parameters
     ----------
-    frame : Frenet or FixedUp
-    trajectory : Trajectory
-
-    Returns
-    -------
     s : (n,) float array
         Arc lengths in metres, rising from end to end; twice where a leap ends.
     angles : (n,) float array
@@ -77,11 +72,23 @@ def continued(frame, trajectory):
     over : (2, k) float array
         Between which places it goes on evenly though it is defined there: it keeps its side where that changes.
     """
+
+    s: np.ndarray
+    angles: np.ndarray
+    period: float
+    place: str | None
+    defined: bool
+    over: np.ndarray
+
+
+@lru_cache(maxsize=16)
+def continued(frame, trajectory):
+    """How a frame, Frenet or FixedUp, goes on along a trajectory: `Continued`."""
     s, placed = closely(frame, trajectory)
     normals, holonomy = rotation_minimizing(placed)
     found, defined = frame.towards(placed, normals)
     if not defined.any():
-        return s, np.zeros(len(s)), tau, lost(placed, defined, None), False, np.zeros((2, 0))
+        return Continued(s, np.zeros(len(s)), tau, lost(placed, defined, None), False, np.zeros((2, 0)))
     flips = flipping(fill(placed, found, defined, holonomy), placed, holonomy)
     angles = fill(placed, found, defined, holonomy, half=frame.keeps_its_side)
     period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
@@ -90,7 +97,8 @@ def continued(frame, trajectory):
     over = too_fast(placed, found, defined, holonomy, tau)[: None if frame.keeps_its_side else 0]
     over = np.stack((s[over], s[over + 1]))
     s, angles = leaping_at_once(s, angles, defined, frame, placed.closed)
-    return s, angles, period, None if defined.all() and not flips.any() else lost(placed, defined, flips), True, over
+    place = None if defined.all() and not flips.any() else lost(placed, defined, flips)
+    return Continued(s, angles, period, place, True, over)
 
 
 def leaping_at_once(s, angles, defined, frame, closed):
@@ -138,10 +146,10 @@ def along_path(frame, stations, found, defined):
     """The angles of a frame at stations, (n,), by those of its definition and where there are any, and the place where
     it is `continued` beyond that, or None.
     """
-    s, angles, period, place, _, over = continued(frame, stations.trajectory)
-    near_by = np.interp(stations.s, s, angles)
-    followed = defined & (np.searchsorted(over[0], stations.s) == np.searchsorted(over[1], stations.s, side="right"))
-    return np.where(followed, near_by + nearest(found - near_by, period), near_by), place
+    known = continued(frame, stations.trajectory)
+    near_by, (before, behind) = np.interp(stations.s, known.s, known.angles), known.over
+    followed = defined & (np.searchsorted(before, stations.s) == np.searchsorted(behind, stations.s, side="right"))
+    return np.where(followed, near_by + nearest(found - near_by, known.period), near_by), known.place
 
 
 def fill(stations, angles, known, holonomy, half=False):

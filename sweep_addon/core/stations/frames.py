@@ -132,7 +132,7 @@ class Frenet(OfItsPlace):
         if self.continuation is Continuation.REFUSE:
             sentence = f"must be smooth or exact where the curvature vanishes, got refuse near u = {place}"
             raise ShapeError(sentence, "frame.continuation")
-        if not continued(self, stations.trajectory)[4]:
+        if not continued(self, stations.trajectory).defined:
             return angles, ("Frame: the trajectory is straight and has no Frenet frame; the first normal is kept.",)
         return angles, (f"Frame: the curvature vanishes near u = {place}, where the Frenet frame is not defined.",)
 
