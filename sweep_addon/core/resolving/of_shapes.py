@@ -6,18 +6,23 @@ from dataclasses import replace
 
 from ..meshes.booleans import union
 from ..self_intersection.places import Places
-from .across_leaps import across_leaps, leaping
+from .breaks import breaks
 from .resolve import closed, resolved
+from .rings import Rings
 
 
 def along_a_trajectory(shape, progress=None):
     """The solid of a shape whose rings stand along a trajectory."""
     surface = replace(shape, make_solid=False)
-    mesh = surface.mesh()
-    before = leaping(surface, mesh)
-    if len(before):
-        return once(across_leaps(mesh, before, progress))
-    return once(resolved(mesh, progress, lambda: bool(surface.self_intersections())))
+    return once(resolved(surface.mesh(), progress, lambda: bool(surface.self_intersections())))
+
+
+def of_cylinder(shape, progress=None):
+    """The solid of a generalized cylinder, which may have corners and leaps of its frame."""
+    surface = replace(shape, make_solid=False)
+    mesh = closed(surface.mesh())
+    found = breaks(surface, Rings(mesh))
+    return once(resolved(mesh, progress, lambda: bool(surface.self_intersections()), found))
 
 
 def about_an_axis(shape, progress=None):

@@ -7,6 +7,7 @@ import numpy as np
 from ..declared.frozen import individual
 from ..meshes.booleans import body, hull_body
 from .blocks import blocks, measured
+from .legs import divided, of_leg
 from .sides import across, halves
 
 
@@ -41,14 +42,21 @@ class Pieces:
         self.cuts, self.next_cut = [], len(rings.mesh.offsets) - 1
 
     def __len__(self):
-        return len(self.plan.tubes) + sum(len(self.blocks(*fold)) for fold in self.plan.folds)
+        return len(self.plan.tubes) + sum(len(list(self.parts(*fold))) for fold in self.plan.folds)
 
     def __iter__(self):
         for tube in self.plan.tubes:
             yield [self.tube(*tube)]
         for fold in self.plan.folds:
-            for first, last in self.blocks(*fold):
-                yield self.hulls(first, last)
+            for made, *part in self.parts(*fold):
+                yield made(*part)
+
+    def parts(self, first, last):
+        """What a stretch that folds is united from: of each a function that makes bodies, and what it takes."""
+        legs = list(divided(self.rings, first, last))
+        if legs:
+            return [(of_leg, self.rings, *leg) for leg in legs]
+        return [(self.hulls, *block) for block in self.blocks(first, last)]
 
     def tube(self, first, last):
         """The body of all between two rings."""
@@ -87,10 +95,7 @@ class Pieces:
 
     def blocks(self, first, last):
         """The blocks of a stretch that folds, a segment longer at both ends."""
-        if not self.rings.closed:
-            first, last = max(first - 1, 0), min(last + 1, self.rings.segments)
-        else:
-            first, last = first - 1, min(last + 1, first - 1 + self.rings.segments + 1)
+        first, last = self.rings.longer(first, last)
         segments, _ = self.rings.placed(np.arange(first, last))
         turned = np.concatenate(([0.0], np.cumsum(measured(self.rings, segments))))
         return [(first + a, first + b) for a, b in blocks(turned, 0, last - first)]

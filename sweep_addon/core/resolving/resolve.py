@@ -23,7 +23,7 @@ ROUNDING = 1e-9  # of the largest contour: near a tip turns are no more than noi
 GROUP = 8  # bodies that are united between two reports of progress: more are no quicker
 
 
-def resolved(mesh, progress=None, meets=None):
+def resolved(mesh, progress=None, meets=None, breaks=()):
     """Of a mesh on a grid that may meet itself, the boundary of the set of all points visited.
 
     Parameters
@@ -34,6 +34,8 @@ def resolved(mesh, progress=None, meets=None):
         Is told which part is done, from 0 to 1; what it raises ends the work.
     meets : callable, optional
         Tells whether the sweep meets itself, and is asked where contours hardly move: on the inner side of a bevel too.
+    breaks : tuple of Break, optional
+        Where the sweep is two: the end of one leg and the start of the next.
 
     Returns
     -------
@@ -46,11 +48,11 @@ def resolved(mesh, progress=None, meets=None):
         For an open surface, one whose contour turns too much from ring to ring, or where manifold3d is missing.
     """
     progress = progress or (lambda part: None)
-    rings = Rings(closed(mesh))
+    rings = Rings(closed(mesh), breaks)
     require_turning_little(rings)
     found = chunks(rings)
     plan = planned(found, rings.closed)
-    if plan.untouched.all() or (plan.folds and meets and not meets()):
+    if plan.untouched.all() or (plan.folds and meets and not (breaks or meets())):
         return mesh
     strips = sectors(rings, plan, found)
     made = None if strips is None else of_sectors(Wedges(rings, plan, strips), progress)
@@ -111,5 +113,6 @@ def require_turning_little(rings):
     aside = rings.points - rings.centres
     here, ahead = (part - dot(part, along)[..., None] * along for part in (aside[:, :-1], aside[:, 1:]))
     little = dot(here, ahead).sum(axis=0) >= -ROUNDING * rings.radii.max() ** 2
+    little[[each.before for each in rings.breaks if 0 <= each.before < each.after]] = True
     require(little.all(), "must be more: the contour turns by more than a right angle between two of them",
             rings.grid.rings, "samples")  # fmt: skip

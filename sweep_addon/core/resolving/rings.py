@@ -26,9 +26,12 @@ class Rings:
     ----------
     mesh : Mesh
         Its chart has a grid without poles and gaps.
+    breaks : tuple of Break, optional
+        Where the sweep is taken apart, in order.
     """
 
     mesh: Mesh
+    breaks: tuple = ()
 
     @property
     def grid(self):
@@ -85,10 +88,20 @@ class Rings:
         rings, around = self.placed(which)
         return self.numbers[self.columns(around), rings]
 
+    def standing(self, which):
+        """The places of the points of rings (k,): (k, m, 3) float array."""
+        return self.mesh.vertices[self.vertices(which)].swapaxes(0, 1)
+
     def faces_between(self, which):
         """The faces of segments (k,): (m, k) int array."""
         segments, around = self.placed(which)
         return self.faces[self.columns(around), segments]
+
+    def longer(self, first, last):
+        """The first ring and the last of a stretch that is a segment longer at both ends, if there are any."""
+        if not self.closed:
+            return max(first - 1, 0), min(last + 1, self.segments)
+        return first - 1, min(last + 1, first + self.segments)
 
     def columns(self, around):
         """(m, k) int array: the columns of the grid that columns are, so many times beyond its end."""
@@ -174,8 +187,14 @@ class Rings:
 
     @cached_property
     def folded(self):
-        """(segments,) bool array: in which segments of the grid some point of the contour does not move forward."""
+        """(segments,) bool array: in which segments of the grid some point of the contour does not move forward.
+
+        Round a break all are taken for such.
+        """
         last = self.segments
         forward = unit(self.normals + np.roll(self.normals, -1, axis=0))[:last]
         step = norms(np.roll(self.centres, -1, axis=0) - self.centres)[:last]
-        return dot(self.ahead, forward).min(axis=0) <= STILL * step
+        folded = dot(self.ahead, forward).min(axis=0) <= STILL * step
+        for each in self.breaks:
+            folded[each.around % last if self.closed else each.around.clip(0, last - 1)] = True
+        return folded

@@ -5,11 +5,16 @@
 import numpy as np
 
 from ..stations.continuing import PARTS, PLACES
-from ..vectors import dot, norms, unit
+from ..stations.frames import UPRIGHT, FixedUp
+from ..stations.transport import transport
+from ..trajectories import Polyline
+from ..trajectories.legs import Cut
+from ..vectors import cross, dot, norms, unit
 from .bevels import bevels
 
 ROOM = 2.0  # times what a mitre lies back: its fan leaves of each step at least half, and at most adds as much
 BESIDE = (1 + 1e-6) / (PLACES * PARTS)  # of the trajectory's length: no farther before a corner a frame leaps there
+FARTHER = 1.05  # times as far the plane of a mitre cuts legs off as its ring reaches: points are on true curves
 STRAIGHT = 1e-9  # of the trajectory's length: a station that is no farther off the line of its leg is on it
 
 
@@ -23,6 +28,32 @@ def legs(stations):
         first, last = ends[:-1], ends[1:]
     lengths = stations.s[last] - stations.s[first]
     return first, last, np.where(lengths > 0, lengths, lengths + stations.total)
+
+
+def cut_back(arrive, leave, reach):
+    """How far along its legs a mitre reaches at most, of a contour that reaches so far, with room to spare: (n,).
+
+    The unit vectors along the legs, (n, 3), are given. The plane cuts off what is so near to the corner, and nothing
+    farther along, where a leg that bends may pass it again.
+    """
+    return FARTHER * reach * norms(leave - arrive) / norms(leave + arrive)
+
+
+def leans(along, frame, symmetry):
+    """Whether it makes a difference that rings lean between mitres.
+
+    It does where laws, tapers or a frame that turns along a leg change the contour there, or a bevel stands for one.
+    """
+    path = along.trajectory
+    if isinstance(path, Cut):
+        return True
+    if not isinstance(path, Polyline) or path.rounded or not len(path.corners()):
+        return False
+    if isinstance(frame, FixedUp):
+        joints = path.joints()
+        level = cross(unit(np.array(frame.up)[None]), path.tangents((joints[1:] + joints[:-1]) / 2))
+        return not along.keeps_legs or norms(level).min() <= UPRIGHT
+    return not along.keeps_legs or bool(path.closed and frame.grown(transport(path).holonomy, symmetry))
 
 
 def leaned(stations, rings, reach):

@@ -163,9 +163,9 @@ class GeneralizedCylinder(Operand):
         >>> round(spindle.solid().volume(), 3), spindle.solid().euler_characteristic()
         (1.525, 2)
         """
-        from ..resolving.of_shapes import along_a_trajectory  # asks manifold3d
+        from ..resolving.of_shapes import of_cylinder  # asks manifold3d
 
-        return along_a_trajectory(self, progress)
+        return of_cylinder(self, progress)
 
     def swept(self, stations=None):
         """All that the mesh is drawn from: a `Swept`, with contours at its own stations or at others."""

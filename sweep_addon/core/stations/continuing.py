@@ -90,6 +90,7 @@ def continued(frame, trajectory):
     if not defined.any():
         return Continued(s, np.zeros(len(s)), tau, lost(placed, defined, None), False, np.zeros((2, 0)))
     flips = flipping(fill(placed, found, defined, holonomy), placed, holonomy)
+    flips[placed.corners - 1] = False  # there it is defined on both sides
     angles = fill(placed, found, defined, holonomy, half=frame.keeps_its_side)
     period = tau / 2 if np.cos(angles - found)[defined].min() < 0 else tau  # round a closed path it may not keep it
     if placed.closed:

@@ -26,6 +26,7 @@ along_path, closely, continued = later("core.stations.continuing", "along_path",
 __all__ = ["Continuation", "FixedUp", "Frame", "Frames", "Frenet", "Parallel", "RotationMinimizing"]
 
 TOO_FAST = tau / 8  # radians: where a frame turns by more from place to place no number of contours makes it smooth
+UPRIGHT = 1e-6  # radians: a path that is no farther from the up direction has no side that is up
 STRAIGHT = 1e-6  # curvature times length: a bend of a millionth of a radian along the whole trajectory is none
 
 
@@ -144,7 +145,9 @@ class Frenet(OfItsPlace):
     def towards(self, stations, normals):
         """The angle of the centre of curvature from the rotation-minimizing normals, and where there is one: (n,)."""
         bend, corners = stations.bend.copy(), stations.corners
-        bend[corners] = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
+        at_corners = turned(bend[corners], stations.tangent[corners], stations.leave[corners])
+        goes_on = np.linalg.norm(stations.going_on, axis=1, keepdims=True) * stations.total > STRAIGHT
+        bend[corners] = np.where(goes_on, stations.going_on, at_corners)
         curved = np.linalg.norm(bend, axis=1) * stations.total > STRAIGHT
         return signed_angle(normals, bend, stations.leave), curved
 
@@ -177,7 +180,7 @@ class FixedUp(OfItsPlace):
     def towards(self, stations, normals):
         """The angle of the level normal from the rotation-minimizing normals, and where there is one: (n,)."""
         level = cross(unit(np.array(self.up)[None]), stations.leave)
-        return signed_angle(normals, level, stations.leave), np.linalg.norm(level, axis=1) > 1e-6
+        return signed_angle(normals, level, stations.leave), np.linalg.norm(level, axis=1) > UPRIGHT
 
 
 @declared

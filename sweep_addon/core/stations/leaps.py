@@ -7,6 +7,7 @@ from math import tau
 
 import numpy as np
 
+from ..vectors import norms
 from . import sampling
 from .continuing import PARTS, PLACES, SHORT, amid, evenly, once_round, shortly
 from .frames import TOO_FAST, Continuation, FixedUp, Frenet, rotation_minimizing
@@ -20,7 +21,7 @@ def leaps(frame, trajectory):
     """Arc lengths right before and right behind each place where a frame turns at once.
 
     Contours must stand at both: between others the mesh would wring itself from one to the next, through its own axis.
-    A level frame does so at corners alone, where contours stand anyway.
+    A level frame does so at corners alone, where contours stand anyway, and Frenet's at those of legs that bend.
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ def leaps(frame, trajectory):
     if not isinstance(frame, Frenet):
         return np.zeros((0, 2))
     s, placed = evenly(trajectory)
-    total = s[-1]
+    total, corners = s[-1], placed.s[placed.corners]
     before, after = leaping(frame, placed, total * shortly(frame) / PLACES)
     next_to = after == before + 1
     straight = amid(s, before[~next_to], after[~next_to])[:, None] + np.array([-0.5, 0.5]) * total / (PLACES * PARTS)
@@ -57,7 +58,8 @@ def leaps(frame, trajectory):
         before, after = leaping(frame, placed, SHORT * total / PLACES)
         found = np.stack((closer[before], once_round(closer, after)), axis=1)
     found = np.concatenate((found, straight))
-    return np.where(found < total, found, found - total)
+    found = np.where(found < total, found, found - total)
+    return np.concatenate((found[~np.isin(found, corners).any(axis=1)], at_corners(frame, trajectory)))
 
 
 def leaping_steps(frame, stations):
@@ -80,9 +82,10 @@ def at_corners(frame, trajectory):
     around = sampling.stations(trajectory, np.unique(np.concatenate((ends, before, corners))))
     normals, holonomy = rotation_minimizing(around)
     angles = frame.angles(around, normals, holonomy, 1)[0]
-    turn = angles[np.searchsorted(around.s, corners)] - angles[np.searchsorted(around.s, before)]
-    turn -= np.where(before > corners, -holonomy, 0.0)
-    return np.stack((before, corners), axis=1)[np.abs(wrapped(turn)) > LEAST]
+    here, there = np.searchsorted(around.s, before), np.searchsorted(around.s, corners)
+    turn = angles[there] - angles[here] - np.where(before > corners, -holonomy, 0.0)
+    bends = norms(around.bend[here]) + norms(placed.going_on) > 0  # or Frenet's frame turns along the leg, and not here
+    return np.stack((before, corners), axis=1)[(np.abs(wrapped(turn)) > LEAST) & (bends | isinstance(frame, FixedUp))]
 
 
 def leaping(frame, placed, straight):

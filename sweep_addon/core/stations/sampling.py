@@ -102,6 +102,8 @@ class Stations:
         Unit tangents before and after each place; they differ at corners.
     bend : (n, 3) float array
         The curvature vector in 1/m, towards the centre of curvature, a corner's turn spread over its step.
+    going_on : (k, 3) float array
+        The curvature vector with which the trajectory leaves each corner, in 1/m.
     corners : (k,) int array
         The stations where the tangent turns at once.
     total : float
@@ -115,6 +117,7 @@ class Stations:
     arrive: np.ndarray
     leave: np.ndarray
     bend: np.ndarray
+    going_on: np.ndarray
     corners: np.ndarray
     total: float
 
@@ -234,10 +237,11 @@ def stations(trajectory, s):
     seen = norms(turn) > SAME_DIRECTION
     corner = unlike[seen]
     # a corner bends by its turn within a step: one by a rounding of the points does not outweigh the curvature
+    going_on = bends[corner]
     if len(corner):
         bends[corner] += turn[seen] / np.gradient(s)[corner, None]
     arrive[unlike[~seen]] = leave[unlike[~seen]]
-    return Stations(trajectory, u, s, points, arrive, leave, bends, corner, measure.total)
+    return Stations(trajectory, u, s, points, arrive, leave, bends, going_on, corner, measure.total)
 
 
 def snapped(u, joints):

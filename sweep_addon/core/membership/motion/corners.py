@@ -8,19 +8,17 @@ from ...vectors import unit
 from .panels import ORDER, Panels
 from .planes import MIDDLE, NORMAL, SPACE, X, Y
 
-ROOM = 1.05  # of what a leg needs beyond its corner
+SAME = 1e-9  # of the way: places nearer than this are one
 WAYS = slice(SPACE.start, MIDDLE.stop)
 
 
-def with_corners(pieces, way, reach):
+def with_corners(pieces, way):
     """Panels with those beyond the corners of a way.
 
     Parameters
     ----------
     pieces : Panels
     way : Way
-    reach : float
-        How far the contour gets from the trajectory.
 
     Returns
     -------
@@ -31,26 +29,24 @@ def with_corners(pieces, way, reach):
     legs : (k,) int array
         The number of the leg that each panel is of.
     """
-    count = len(pieces.start)
-    cuts, legs = np.zeros((count, 2, 4)), np.zeros(count, dtype=int)
-    starts, ends, series, more_cuts, more_legs = [], [], [], [], []
+    count, cuts = len(pieces.start), np.zeros((len(pieces.start), 2, 4))
+    legs = np.searchsorted([corner.parameter for corner in way.corners], pieces.start, side="right")
     for number, corner in enumerate(way.corners, 1):
-        legs[pieces.start >= corner.parameter] = number
-    whole = way.breaks[-1] - way.breaks[0]
-    for corner in way.corners:
         bisector = unit(corner.arrive + corner.leave)
-        zone = reach * np.linalg.norm(corner.leave - corner.arrive) / np.linalg.norm(corner.leave + corner.arrive)
         plane = np.append(bisector, bisector @ corner.point)
+        before, after = legs == number - 1, legs == number
+        if way.closed:  # the last leg goes on to the first corner
+            before, after = (legs % len(way.corners) == which % len(way.corners) for which in (number - 1, number))
+        cuts[before & near(pieces.start, corner.parameter, corner, way), 1] = plane
+        cuts[after & near(corner.parameter, pieces.end, corner, way), 0] = -plane
+    starts, ends, series, more_cuts, more_legs = [], [], [], [], []
+    for corner in way.corners:
         first = int(np.argmin(np.abs(pieces.start - corner.parameter)))
         last = first - 1  # of a closed way the last of all
-        before = corner.parameter - pieces.end if first else pieces.end[-1] - pieces.end
-        after = pieces.start - corner.parameter
-        cuts[(before > -1e-9 * whole) & (before <= zone), 1] = plane
-        cuts[(after > -1e-9 * whole) & (after <= zone), 0] = -plane
-        for panel, side, along in ((last, 1.0, corner.arrive), (first, -1.0, -corner.leave)):
+        for panel, side, onward in ((last, 1.0, corner.arrive), (first, -1.0, -corner.leave)):
             starts.append(corner.parameter)
             ends.append(corner.parameter)
-            series.append(straight_on(pieces.series[panel], side, along * zone * ROOM))
+            series.append(straight_on(pieces.series[panel], side, onward * corner.zone))
             more_cuts.append(cuts[panel])
             more_legs.append(legs[panel])
     for far, panel, side, parameter in zip(way.beyond, (0, count - 1), (-1.0, 1.0), way.breaks[[0, -1]], strict=True):
@@ -67,6 +63,13 @@ def with_corners(pieces, way, reach):
         np.append(pieces.start, starts), np.append(pieces.end, ends), np.concatenate((pieces.series, np.stack(series)))
     )
     return merged, np.concatenate((cuts, np.stack(more_cuts))), np.append(legs, more_legs)
+
+
+def near(start, end, corner, way):
+    """Whether it is no farther from parameters on to others than a corner's zone, round a closed way if need be."""
+    whole = way.breaks[-1] - way.breaks[0]
+    far = (end - start) % whole if way.closed else end - start
+    return far <= corner.zone + SAME * whole
 
 
 def straight_on(series, side, way):

@@ -10,20 +10,10 @@ import numpy as np
 
 from ...rings.mitres import fans, legs
 from ...shapes.carrying import across, placed
-from ...trajectories import Polyline
-from ...trajectories.legs import Cut
 from ...vectors import cross, unit
 from .way import Carried
 
 TIP = 1e-12  # a scale of a contour that is a point: its plane has axes all the same
-
-
-def leans(along, grown):
-    """Whether planes are to lean: where laws, tapers or the angle that a frame has grown by when it is back change the
-    contour between mitres, or a bevel stands for one."""
-    path = along.trajectory
-    mitred = isinstance(path, Polyline) and not path.rounded and len(path.corners())
-    return isinstance(path, Cut) or bool(mitred and (grown or not along.is_constant or any(along.tapers)))
 
 
 class Leaning:

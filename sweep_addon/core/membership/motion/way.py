@@ -24,6 +24,7 @@ class Corner(NamedTuple):
     point: np.ndarray
     arrive: np.ndarray  # unit tangents before and after: (3,)
     leave: np.ndarray
+    zone: float  # how far along the way on both sides its plane cuts off what is beyond it, and both legs go on
 
 
 class Limit(NamedTuple):
@@ -56,7 +57,6 @@ class Way(NamedTuple):
     region: object  # of the plane: depth, exact and growth of (points, parameters), and box
     parts: int = 16  # panels at least
     corners: tuple = ()
-    aside: float = 0.0  # how far the contour's origin gets from the trajectory, as far as corners ask for it
     limits: tuple = ()
     beyond: tuple = (0.0, 0.0)  # how far it goes on straight, before its start and after its end
     domes: tuple = ()

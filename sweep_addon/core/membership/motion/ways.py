@@ -14,6 +14,7 @@ from ...contours.section import section_of
 from ...rings.domes import domes_of
 from ...rings.ends import Flat, Open, Round
 from ...rings.limits import Plane
+from ...rings.mitres import cut_back, leans
 from ...shapes import directing
 from ...shapes.extruding import draft_of
 from ...shapes.revolving import rings_of
@@ -22,14 +23,13 @@ from ...stations.bending import Bending
 from ...stations.frames import RotationMinimizing, axes
 from ...stations.sampling import stations
 from ...stations.spans import spans
-from ...stations.transport import transport
 from ...trajectories import Polyline
 from ...trajectories.arc_length import arc_length
 from ...vectors import dot, norms, unit
 from ..plane.drawn import Drawn
 from ..plane.regions import Level, Still, region
 from ..plane.smooth import Disc
-from .leaning import Leaning, leans
+from .leaning import Leaning
 from .way import Carried, Corner, Dome, Limit, Way
 
 PARTS = 32  # panels at least, of a whole way
@@ -58,9 +58,9 @@ def of_cylinder(shape):
         return Carried(placed.points + e2 * x[:, None] + e3 * y[:, None], placed.tangent, e2, e3, scales)
 
     breaks = np.concatenate((measure.at(trajectory.joints()), along.marks()))
-    corners = corners_of(trajectory)
-    grown = shape.frame.grown(transport(trajectory).holonomy, symmetry) if closed else 0.0
-    if leans(along, grown):
+    corners = corners_of(trajectory, along.farthest(reach))
+    breaks = np.append(breaks, zones(corners, measure.total, closed))
+    if leans(along, shape.frame, symmetry):
         known = np.array([corner.parameter for corner in corners])
         leaning = Leaning(standing, known if closed else np.concatenate(((0.0,), known, (measure.total,))), reach)
         carried, corners, breaks = leaning.carried, (), np.append(breaks, leaning.breaks())
@@ -70,8 +70,8 @@ def of_cylinder(shape):
         looked = np.linspace(0.0, measure.total, LOOKED)
         inside = Drawn(lambda s: change.at(s / measure.total), section.offsets, looked, section.gaps)
         breaks = np.append(breaks, change.places * measure.total)
-    aside, places = along.farthest(0.0), apart(breaks, measure.total)
-    way = Way(carried, places, closed, inside, PARTS, corners, aside, parameter=measure.parameter)
+    places = apart(breaks, measure.total)
+    way = Way(carried, places, closed, inside, PARTS, corners, parameter=measure.parameter)
     clean = partial(is_clean_tube, shape) if along.is_constant and not (change or corners) else None
     return way._replace(domes=tuple(domes(shape, ends, way)), faces=faces_of(ends), clean=clean)
 
@@ -273,8 +273,8 @@ def apart(breaks, total):
     return breaks
 
 
-def corners_of(trajectory):
-    """The corners of a trajectory: its joints where the tangent turns at once."""
+def corners_of(trajectory, reach):
+    """The corners of a trajectory, from which a contour reaches so far: its joints where the tangent turns at once."""
     joints = trajectory.joints()
     inner = joints[:-1] if trajectory.closed else joints[1:-1]
     if not len(inner):
@@ -283,5 +283,14 @@ def corners_of(trajectory):
     arrive, leave = trajectory.tangents(entered, before=True), trajectory.tangents(inner)
     places, lengths = trajectory.evaluate(inner), arc_length(trajectory).at(inner)
     turned = norms(leave - arrive) > CORNER
-    found = (part[turned] for part in (lengths, places, arrive, leave))
+    found = (part[turned] for part in (lengths, places, arrive, leave, cut_back(arrive, leave, reach)))
     return tuple(Corner(*each) for each in zip(*found, strict=True))
+
+
+def zones(corners, total, closed):
+    """The arc lengths at which corners begin to cut off legs, or cease to, where legs are longer than that: (k,)."""
+    places = np.array([corner.parameter for corner in corners])
+    far = np.array([corner.zone for corner in corners])
+    if closed:
+        return np.concatenate((places - far, places + far))[np.tile(far < total, 2)] % total
+    return np.concatenate((places - far, places + far))

@@ -66,7 +66,7 @@ class MovingPlane:
         sizes = np.ones(MIDDLE.stop)
         sizes[[3, 7, 11]], sizes[SCALES], sizes[SPACE], sizes[MIDDLE] = extent, self.widest, extent, extent
         pieces = panels(self.channels, way.breaks, way.parts, sizes)
-        self.panels, self.cuts, self.legs = with_corners(pieces, way, way.aside + self.reach)
+        self.panels, self.cuts, self.legs = with_corners(pieces, way)
         low, high = (side[:, SPACE].reshape(-1, 4, 3) for side in self.panels.bounds)
         self.low, self.high = low.min(axis=1), high.max(axis=1)
         ends = [np.stack((d.middle - d.height - self.reach, d.middle + d.height + self.reach)) for d in way.domes]
