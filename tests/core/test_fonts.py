@@ -3,6 +3,7 @@
 """Text becomes the outline of its glyphs, with their holes, at their places."""
 
 import gc
+import sys
 import warnings
 from contextlib import suppress
 
@@ -141,6 +142,17 @@ def test_the_file_of_the_font_is_closed(text, font):
         warnings.simplefilter("always")
         gc.collect()
     assert not [warning for warning in told + told_later if warning.category is ResourceWarning]
+
+
+def test_a_font_of_web_pages_is_refused_where_nothing_unpacks_it(tmp_path, monkeypatch, capfd):
+    """In one sentence that says what would do: the library writes one of its own, of a package that is not here."""
+    pages = tmp_path / "font.woff2"
+    pages.write_bytes(b"wOF2" + bytes(44))
+    for package in ("brotli", "brotlicffi"):
+        monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(ShapeError, match=r"font.woff2 must be a .ttf or .otf file, not compressed, got 'WOFF2'$"):
+        from_text("A", pages)
+    assert not capfd.readouterr().err
 
 
 def test_a_missing_glyph_is_named():

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contours from text: the glyphs of a font file, side by side."""
 
+from importlib.util import find_spec
 from io import BytesIO
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from .reading import argument, library, outline
 
 LONGEST = 10_000
 LARGEST = 50_000_000  # bytes of a font
+COMPRESSED = b"wOF2"  # how a font of web pages begins
 
 
 def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
@@ -66,6 +68,7 @@ def opened(font_path):
     ttlib = library("fontTools.ttLib", "fonttools")
     try:
         data = contained(Path(font_path), LARGEST)
+        require(not data.startswith(COMPRESSED) or unpacks(), "must be a .ttf or .otf file, not compressed", "WOFF2")
         return ttlib.TTFont(BytesIO(data), fontNumber=0, lazy=True)  # no file stays open
     except ShapeError:
         raise
@@ -73,6 +76,11 @@ def opened(font_path):
         raise ShapeError(f"cannot be read: {getattr(error, 'strerror', None) or error}") from error
     except (ttlib.TTLibError, ImportError, AssertionError) as error:
         raise ShapeError(f"must be a TrueType or OpenType file, got: {error}") from error
+
+
+def unpacks():
+    """Whether fontTools finds what it takes to unpack a font of web pages; without, it says so on the error stream."""
+    return any(map(find_spec, ("brotli", "brotlicffi")))
 
 
 def placed_glyphs(text, font):
