@@ -107,11 +107,13 @@ START = 'kind = "generalized-cylinder"\n'
         "is missing at character 4 before 'mm', got '10 mm'",
         START + "scale_x = '1 - q'": "scale_x: must be an expression of u, t, s: 'q' at character 5 is no name",
         START + "scale_x = nan": "scale_x: must be a number, got nan",
-        START + "[contour]\nkind = 'circle'\nradius = " + "9" * 400: "must have numbers of at most 64 bits, got 999",
-        "x = 0x" + "F" * 5000: "must have numbers of at most 64 bits, got 0xfff",
+        START
+        + "[contour]\nkind = 'circle'\nradius = "
+        + "9" * 400: "contour.radius: must have numbers of at most 64 bits, got 999",
+        "x = 0x" + "F" * 5000: "x: must have numbers of at most 64 bits, got 0xfff",
         "x = " + "[" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
         "x = " + "9" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
-        "x = " + "[" * 40 + "]" * 40: "must be nested at most 32 deep, got 33",
+        "x = " + "[" * 40 + "]" * 40: "x: must be nested at most 32 deep, got 33",
         "\na" + ".a" * 100_000 + " = 1": "line 2: must have at most 32 names in a key",
     }.items(),
     ids=lambda text: repr(text)[:30],

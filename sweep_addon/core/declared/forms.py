@@ -15,6 +15,7 @@ from ..later import later
 from .parameters import ShapeError, from_table, parameters, require, spelled
 from .plain import MIGRATIONS, VERSION, plain
 from .refusals import together
+from .wording import named
 
 counted = later("core.csg.shared", "counted")
 
@@ -63,14 +64,21 @@ def tables(text):
 
 def check_bounds(table):
     """Refuse what is nested too deep to be walked, and numbers too large for TOML, whatever its parser took."""
-    level, inner = 0, [table]
+    level, inner = 0, [("", table)]
     while inner:
         level += 1
-        require(level <= DEEPEST, f"must be nested at most {DEEPEST} deep", level)
-        held = [item for items in inner for item in (items.values() if isinstance(items, dict) else items)]
-        huge = next((item for item in held if isinstance(item, int) and abs(item) >= 2**63), 0)
-        require(not huge, "must have numbers of at most 64 bits", huge)
-        inner = [item for item in held if isinstance(item, (dict, list))]
+        require(level <= DEEPEST, f"must be nested at most {DEEPEST} deep", level, inner[0][0])
+        held = [pair for key, items in inner for pair in entries(key, items)]
+        key, huge = next((pair for pair in held if isinstance(pair[1], int) and abs(pair[1]) >= 2**63), ("", 0))
+        require(not huge, "must have numbers of at most 64 bits", huge, key)
+        inner = [pair for pair in held if isinstance(pair[1], (dict, list))]
+
+
+def entries(key, items):
+    """What a table holds, by its keys; the items of a list by the list's own."""
+    if isinstance(items, list):
+        return [(key, item) for item in items]
+    return [(f"{key}.{named(name)}".lstrip("."), item) for name, item in items.items()]
 
 
 def shape_of(shapes, table):
