@@ -114,6 +114,8 @@ def write_through(mesh, made):
 
 def mark(mesh):
     """A number that changes when vertices are moved, by a tool or a script, and when faces come or go."""
+    if not mesh.vertices:
+        return 0  # a new mesh has no attributes yet
     places = mesh.attributes["position"].data
     if len(places) <= SAMPLE:
         sample = np.empty(3 * len(places), np.float32)

@@ -161,6 +161,17 @@ def test_refused_sweep_of_the_selected_leaves_nothing_behind(scene):
     assert bpy.context.active_object == speck and speck.select_get()
 
 
+def test_a_refused_contour_that_blender_has_still_to_look_at_is_told_in_one_sentence(scene, capfd):
+    """To read it Blender is brought up to date, which tells the handlers of the mesh that is being made."""
+    path, letters = straight(), text("I")
+    letters.data.body = ""
+    letters.data.update_tag()
+    select(path, letters)
+    with pytest.raises(RuntimeError, match="contour: must be a curve or text with an outline, got 'text'"):
+        bpy.ops.object.sweep_selected()
+    assert "Traceback" not in capfd.readouterr().err
+
+
 def test_text_has_no_length_to_move_along(scene):
     select(text("I"))
     with pytest.raises(RuntimeError, match="trajectory: must be a curve object, got 'text'"):
