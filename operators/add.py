@@ -17,7 +17,8 @@ from ..sweep_addon.core.shapes.kinds import SHAPES
 from ..sweep_addon.core.trajectories import Line
 from ..sweep_addon.properties.sweep import update
 
-layout, objects, presets = later("bridge.layout"), later("bridge.objects"), later("presets")
+layout, objects, placing = later("bridge.layout"), later("bridge.objects"), later("bridge.placing")
+presets = later("presets")
 
 
 class AddObject:
@@ -116,7 +117,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         if given:
-            objects.place_along(context, mesh, curve)
+            placing.place_along(context, mesh, curve)
         else:
             object_data_add(context, mesh, operator=self)
         return {"FINISHED"}

@@ -8,7 +8,7 @@ from bpy.types import Operator
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 
-bent, objects = later("bridge.bent"), later("bridge.objects")
+bent, objects, placing = later("bridge.bent"), later("bridge.objects"), later("bridge.placing")
 
 
 class OBJECT_OT_sweep_bend(Operator):
@@ -50,7 +50,7 @@ class OBJECT_OT_sweep_bend(Operator):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         for mesh in made:
-            ob = objects.link(context, mesh)
+            ob = placing.link(context, mesh)
             ob.parent, ob.matrix_world = sweep.parent, sweep.matrix_world
         return {"FINISHED"}
 

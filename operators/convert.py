@@ -9,7 +9,7 @@ from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 
 bevel, curve_to_mesh = later("bridge.bevel"), later("bridge.curve_to_mesh")
-objects = later("bridge.objects")
+objects, placing = later("bridge.objects"), later("bridge.placing")
 
 
 class OBJECT_OT_sweep_convert(Operator):
@@ -54,10 +54,10 @@ def placed(context, tube, mesh):
     """The object of a mesh where the tube was, which is drawn no more."""
     for slot in range(len(mesh.materials)):
         mesh.materials[slot] = tube.material
-    ob = objects.link(context, mesh)
+    ob = placing.link(context, mesh)
     tube.quiet()
     if tube.place.type == "CURVE":
-        objects.attach(ob, tube.place)
+        placing.attach(ob, tube.place)
     else:
         ob.parent = tube.place
     return ob

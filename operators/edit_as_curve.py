@@ -11,7 +11,7 @@ from ..sweep_addon.core.later import later
 from .on_active import OnSweep
 
 beside, drawn_curves = later("bridge.beside"), later("bridge.drawn_curves")
-objects = later("bridge.objects")
+objects, placing = later("bridge.objects"), later("bridge.placing")
 
 EDITABLE = {
     "trajectory": "The path along which the contour moves",
@@ -56,7 +56,7 @@ class OBJECT_OT_sweep_edit_as_curve(OnSweep, Operator):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         for name, curve in zip(made, drawn, strict=True):
-            objects.use(ob, name, objects.link(context, curve))
+            objects.use(ob, name, placing.link(context, curve))
         return {"FINISHED"}
 
     def go_to(self, context, ob):

@@ -10,7 +10,7 @@ from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
 
 axis_curves, drawn_curves = later("bridge.axis_curves"), later("bridge.drawn_curves")
-objects, texts = later("bridge.objects"), later("bridge.texts")
+objects, placing, texts = later("bridge.objects"), later("bridge.placing"), later("bridge.texts")
 
 ABOVE = 8  # lines that stay in sight above one that is gone to
 SHARE = 0.4  # of the view's width, that a text editor takes where there is none
@@ -117,7 +117,7 @@ class OBJECT_OT_sweep_grammar_curves(OnGrammar, Operator):
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        ob = objects.link(context, data)
+        ob = placing.link(context, data)
         ob.matrix_world = source.matrix_world
         source.select_set(False)
         ob.select_set(True)

@@ -14,7 +14,7 @@ from ..sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from ..sweep_addon.core.shapes.kinds import SWEPT
 from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
 
-objects = later("bridge.objects")
+objects, placing = later("bridge.objects"), later("bridge.placing")
 
 PART = 20  # of the size of a mesh or a curve is the radius of its offset, to begin with
 TYPES = {"MESH", "CURVE", "FONT"}  # which have offsets
@@ -67,7 +67,7 @@ class OBJECT_OT_sweep_selected(Operator):
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        objects.place_along(context, mesh, given[carrier])
+        placing.place_along(context, mesh, given[carrier])
         return {"FINISHED"}
 
 
@@ -96,7 +96,7 @@ class OBJECT_OT_sweep_offset_selected(Operator):
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        objects.place_along(context, mesh, ob)
+        placing.place_along(context, mesh, ob)
         return {"FINISHED"}
 
 

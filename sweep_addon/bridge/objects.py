@@ -15,6 +15,7 @@ from ..core.shapes.operand import Operand
 from ..core.shapes.plant import Plant
 from ..core.stations.sampling import rendered
 from . import meshes, rna
+from .placing import attach
 
 arcs, beside, curves, models = (later(f"bridge.{name}") for name in ("arcs", "beside", "curves", "models"))
 axis_curves, grove, trees = later("bridge.axis_curves"), later("bridge.grove"), later("bridge.trees")
@@ -282,49 +283,6 @@ def forget(mesh):
     kept = ("made", "topology", "texture", "mark", "rings", "error", "told", "places", "looked_at", "solid", "edited")
     for name in (parameters_of_shape, *kept):
         mesh.sweep.property_unset(name)
-
-
-def link(context, data):
-    """A new object of some data in the collection a person works in, at the scene's origin."""
-    ob = bpy.data.objects.new(data.name, data)
-    context.collection.objects.link(ob)
-    return ob
-
-
-def place_along(context, mesh, carrier):
-    """A new active object of a mesh, in the space of the trajectory or contour that it follows."""
-    ob = link(context, mesh)
-    attach(ob, carrier)
-    for other in context.selected_objects:
-        other.select_set(False)
-    ob.select_set(True)
-    context.view_layer.objects.active = ob
-    return ob
-
-
-def attach(ob, carrier):
-    """Put an object into the space of a curve, text or mesh, where its mesh is.
-
-    Blender puts a child of a curve with *Path Animation*, which every curve of its Add menu has, at the path's start.
-    A path that nothing follows is switched off; where something may, the object is constrained and not parented.
-    """
-    curve = carrier.data
-    if not hasattr(curve, "use_path"):
-        ob.parent = carrier
-        return
-    if curve.use_path and (curve.animation_data or is_followed(carrier)):
-        constraint = ob.constraints.new("CHILD_OF")
-        constraint.target = carrier
-        constraint.inverse_matrix.identity()
-        return
-    curve.use_path = False
-    ob.parent = carrier
-
-
-def is_followed(curve):
-    """Whether another object is a child of a curve, or follows it as a path."""
-    users = bpy.data.user_map(subset={curve}, value_types={"OBJECT"})[curve]
-    return any(ob != curve for ob in users)
 
 
 def use(ob, parameter, curve):

@@ -11,7 +11,7 @@ from mathutils import Euler
 from scenes import add, curve, places, select
 
 import sweep_addon as sw
-from sweep_addon.bridge import objects
+from sweep_addon.bridge import objects, placing
 
 HANDLES = [((0, 0, -1), (0, 0, 0), (0, 0, 1)), ((0, 0, 3), (0, 0, 4), (0, 0, 5))]
 RAIL = [((1, 0, -1), (1, 0, 0), (1, 0, 1)), ((0, 1, 3), (0, 1, 4), (0, 1, 5))]
@@ -27,7 +27,7 @@ def sweep(**inputs):
     """A PD curve sweep of a small rectangle, in the space of its trajectory."""
     shape = sw.PDCurveSweep(contour=CONTOUR, samples=sw.sampling.Count(9))
     update()
-    return objects.place_along(bpy.context, objects.new_mesh(shape, "solid", **inputs), inputs["trajectory"])
+    return placing.place_along(bpy.context, objects.new_mesh(shape, "solid", **inputs), inputs["trajectory"])
 
 
 def empty(place, turn=(0, 0, 0), parent=None):

@@ -11,7 +11,7 @@ from mathutils import Matrix
 from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text
 
 import sweep_addon as sw
-from sweep_addon.bridge import curves, objects
+from sweep_addon.bridge import curves, objects, placing
 from sweep_addon.core.contours import reading
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 
@@ -170,7 +170,7 @@ def turned(contour, **given):
     """A rotational sweep of a contour object."""
     shape = sw.RotationalSweep(**given)
     ob = add("turned", objects.new_mesh(shape, contour=contour))
-    objects.attach(ob, contour)
+    placing.attach(ob, contour)
     update()
     return ob
 

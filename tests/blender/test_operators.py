@@ -15,7 +15,7 @@ from scenes import add, curve, extent, parameters_of, places, select, square, st
 
 import sweep_addon as sw
 from sweep_addon import presets
-from sweep_addon.bridge import objects
+from sweep_addon.bridge import objects, placing
 from sweep_addon.core.declared.parameters import spelled
 from sweep_addon.core.shapes.kinds import SHAPES
 
@@ -308,7 +308,7 @@ def test_an_applied_twin_that_is_not_seen_stays_where_a_constraint_had_it(scene,
     bpy.ops.object.sweep_selected()
     swept = bpy.context.active_object
     twin = add("twin", swept.data)
-    objects.attach(twin, path)
+    placing.attach(twin, path)
     twin.parent, twin.location = rig, (5, 0, 0)
     bpy.context.view_layer.update()
     assert [each.type for each in twin.constraints] == ["CHILD_OF"]
