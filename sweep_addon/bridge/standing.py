@@ -15,7 +15,7 @@ def let_stand(meshes):
     """
     for ob in bpy.data.objects:
         if ob.data in meshes and not ob.animation_data:
-            let_go(ob, set(objects.inputs(ob.data).values()))
+            let_go(ob, set(objects.inputs(ob.data).values()) - {None})  # as one is that was deleted
 
 
 def let_go(ob, inputs):

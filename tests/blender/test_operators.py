@@ -250,6 +250,19 @@ def test_applied_sweeps_are_plain_meshes_and_others_are_not_touched(scene):
     assert path.users == 1  # an applied mesh uses it no more: deleting it is for good
 
 
+def test_a_sweep_whose_curve_is_gone_can_be_applied(scene):
+    """Its last mesh stays, and is plain."""
+    path = straight()
+    ob = sweep(trajectory=path)
+    bpy.data.objects.remove(path)
+    bpy.context.view_layer.update()
+    assert ob.data.sweep.error.startswith("trajectory: must be an object of the scene")
+    select(ob)
+    before = places(ob.data)
+    assert bpy.ops.object.sweep_apply() == {"FINISHED"}
+    assert ob.data.sweep.kind == "NONE" and ob.data.sweep.error == "" and np.array_equal(places(ob.data), before)
+
+
 def test_what_carried_an_applied_sweep_may_be_deleted_and_nothing_jumps(scene):
     """It goes on with what carried the curve; a curve that moves by itself keeps it."""
     rig, path, moving = add("rig", None), straight(), straight()
