@@ -72,4 +72,4 @@ def require_apart(mesh, ob):
             raise ShapeError(f"must not be made from this sweep, as {ob.name!r} is")
         seen.add(other)
         todo += operands(other)
-        todo += inputs(other.data).values() if is_sweep(other) else ()
+        todo += filter(None, inputs(other.data).values()) if is_sweep(other) else ()  # but what was deleted

@@ -39,6 +39,16 @@ def test_a_mesh_object_is_offset_and_followed(scene):
     assert extent(ob) == pytest.approx((0.4, 0.4, 0.4), abs=1e-5) and ob.data.sweep.error == ""
 
 
+def test_a_sweep_whose_curve_is_gone_is_offset_as_it_is_shown(scene):
+    path = curve("POLY", [(0, 0, 0), (0, 0, 2)])
+    pipe = add("pipe", objects.new_mesh(sw.GeneralizedCylinder(contour=sw.contours.Rectangle(1, 1)), trajectory=path))
+    bpy.data.objects.remove(path)
+    bpy.context.view_layer.update()
+    assert pipe.data.sweep.error.startswith("trajectory: must be an object of the scene")
+    ob = add("offset", objects.new_mesh(sw.OffsetSurface(radius=0.25), body=pipe))
+    assert extent(ob) == pytest.approx((1.5, 1.5, 2.5), abs=1e-5)
+
+
 def test_an_open_mesh_object_is_refused(scene):
     model = cube(FACES[1:])
     with pytest.raises(sw.ShapeError, match="body: must be closed, or .* a curve or text, .* got '4 open edges'"):
