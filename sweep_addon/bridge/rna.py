@@ -285,6 +285,8 @@ def require_usable(ob, types):
     """Refuse an object that is not there; a deleted one lives on in no scene, because the mesh still uses it."""
     if ob is None:
         raise ShapeError("must be an object of the scene; none is chosen, or it was deleted")
+    if ob.original.is_missing:  # Blender puts an empty in its place
+        raise ShapeError(f"must be an object of the scene; {ob.name!r} is missing, of the file {ob.library.filepath!r}")
     if not (ob.library or ob.original.users_scene or ob.original.users_collection):
         raise ShapeError(f"must be an object of the scene; {ob.name!r} was deleted, or is in no scene yet")
     wanted, got = (text.lower().replace("font", "text") for text in (" or ".join(types), ob.type))

@@ -102,6 +102,17 @@ def test_linked_curve_is_an_input(saved):
     assert extent(ob) == pytest.approx((1, 1, 2)) and ob.data.sweep.error == ""
 
 
+def test_a_linked_curve_whose_file_is_gone_keeps_the_mesh_and_says_which(saved, tmp_path):
+    test_linked_curve_is_an_input(saved)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "follows.blend"), relative_remap=False)
+    saved.rename(tmp_path / "elsewhere.blend")
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "follows.blend"))
+    ob = bpy.data.objects["sweep"]
+    parameters_of(ob).contour_circle_radius = 3
+    sentence = f"trajectory: must be an object of the scene; 'path' is missing, of the file {str(saved)!r}"
+    assert extent(ob) == pytest.approx((1, 1, 2)) and ob.data.sweep.error == sentence
+
+
 def test_linked_sweep_made_local_is_live(saved):
     empty()
     bpy.ops.wm.link(directory=f"{saved}/Object/", filename="keyed")
