@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What people do with the text of an L-system: edit it, make a new one, and take back what they turned."""
+"""What people do with the text of an L-system or of a program: edit it, make a new one, take back what they turned."""
 
 import bpy
 from bpy.props import IntProperty
@@ -28,18 +28,30 @@ class OnGrammar:
         return False
 
 
-class OBJECT_OT_sweep_grammar_edit(OnGrammar, Operator):
-    """Show the grammar in a text editor: one that is open, or else beside the view"""
+class OnText:
+    """An operator on a mesh that is made of a text"""
+
+    @classmethod
+    def poll(cls, context):
+        ob = context.active_object
+        if objects.is_editable_sweep(ob) and objects.is_written(ob.data):
+            return True
+        cls.poll_message_set("Make an L-system or machined stock the active object, not linked from another file")
+        return False
+
+
+class OBJECT_OT_sweep_grammar_edit(OnText, Operator):
+    """Show the text in a text editor: one that is open, or else beside the view"""
 
     bl_idname = "object.sweep_grammar_edit"
-    bl_label = "Edit Grammar"
+    bl_label = "Edit Text"
     bl_options = {"INTERNAL"}
 
     line: IntProperty(name="Line", description="Where the cursor goes, from 1; 0: where it is", min=0)
     column: IntProperty(name="Column", description="The character of the line, from 1", min=0)
 
     def execute(self, context):
-        held = context.active_object.data.sweep.plant.system_text
+        held = texts.held_by(*objects.text_of(context.active_object.data))
         if held is None:
             self.report({"ERROR"}, "The text is not there any more: press New")
             return {"CANCELLED"}
@@ -76,17 +88,17 @@ def beside(context):
     return area
 
 
-class OBJECT_OT_sweep_grammar_text_new(OnGrammar, Operator):
-    """Make a text of the grammar that only this mesh has"""
+class OBJECT_OT_sweep_grammar_text_new(OnText, Operator):
+    """Make a text of the grammar or program that only this mesh has"""
 
     bl_idname = "object.sweep_grammar_text_new"
     bl_label = "New Text"
     bl_options = {"INTERNAL", "UNDO"}
 
     def execute(self, context):
-        group = context.active_object.data.sweep.plant
-        group.system_text = None
-        texts.hold(group, group.system)
+        group, name = objects.text_of(context.active_object.data)
+        setattr(group, f"{name}_text", None)
+        texts.hold(group, name, getattr(group, name))
         return {"FINISHED"}
 
 

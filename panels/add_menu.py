@@ -11,7 +11,7 @@ from ..operators.add import idname
 from ..sweep_addon.core.declared.parameters import spelled
 from ..sweep_addon.core.declared.wording import title, titled
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.shapes.kinds import SWEEPS, SWEPT
+from ..sweep_addon.core.shapes.kinds import CLASSIFICATION, SWEPT
 from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
 from ..sweep_addon.core.shapes.plant import Plant
 from . import previews
@@ -32,12 +32,13 @@ class VIEW3D_MT_sweep_add(Menu):
         self.layout.operator_context = "INVOKE_REGION_WIN"
         row = self.layout.row()  # beside each other: one below the other they are higher than a small screen
         column = row.column(align=True)
-        for generator, shapes in SWEEPS.items():
+        for generator, shapes in CLASSIFICATION.items():
             column.label(text=generator)
             for shape in shapes:
-                column.operator(idname(shape), icon_value=previews.icon(shape))
-        column.label(text="Grammar")
-        column.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(Plant))
+                if shape is Plant:
+                    column.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(shape))
+                else:
+                    column.operator(idname(shape), icon_value=previews.icon(shape))
         column = row.column(align=True)
         column.label(text="Presets")
         others = (preset for preset in presets.PRESETS if preset.group != presets.GROWN)

@@ -15,6 +15,7 @@ from ..sweep_addon.core.declared.options import MEETING, PREFIX
 from ..sweep_addon.core.declared.parameters import parameters, spelled
 from ..sweep_addon.core.later import later
 from ..sweep_addon.core.shapes.kinds import CLASSIFICATION
+from ..sweep_addon.core.shapes.machined_stock import MachinedStock
 from ..sweep_addon.core.shapes.plant import Plant
 from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from . import previews
@@ -24,6 +25,7 @@ live, objects = later("properties.live"), later("bridge.objects")
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 PREVIEW = 2.6  # times as high as a line
+COUNTED = {Plant: "segments", MachinedStock: "moves"}  # where a sweep has contours
 LINKED = "The mesh is linked from another file: make the mesh itself local, or a library override, to change it."
 
 
@@ -77,7 +79,7 @@ def hint(context):
 
 
 def draw_sweep(layout, context, mesh, say):
-    from . import l_system
+    from . import l_system, machining
 
     sweep = mesh.sweep
     shape, group = objects.group_of(mesh)
@@ -90,10 +92,12 @@ def draw_sweep(layout, context, mesh, say):
         l_system.draw_size(column, mesh, say)
         l_system.draw_text(layout, group, say)
         l_system.draw_constants(layout, group)
+    if shape is MachinedStock:
+        machining.draw_text(layout, group, say)
     beside = l_system.followed(group) if grown else ()
     declared = [p for p in parameters(shape) if p.group != MEETING and p.name not in beside]  # they stand elsewhere
     draw_parameters(layout, context, mesh, declared, say)
-    if not grown:
+    if hasattr(shape, "self_intersections"):
         draw_self_intersections(layout, sweep, say)
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
@@ -118,6 +122,11 @@ def draw_state(layout, mesh, say):
         say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
     elif mesh.sweep.edited:
         say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
+    if objects.group_of(mesh)[0] is MachinedStock:
+        from . import machining
+
+        machining.draw_told(layout, mesh.sweep, say)
+        return
     for sentence in mesh.sweep.told.split("\n"):
         if sentence and not sentence.startswith(PREFIX):
             say(layout, sentence, "INFO")
@@ -127,7 +136,7 @@ def draw_size(layout, sweep, mesh, shape):
     """The name of the shape, and how much its mesh is of; the column that says so."""
     column = layout.column(align=True)
     column.label(text=objects.title(shape), icon_value=previews.icon(shape))
-    counted = f"{sweep.rings:,} {'segments' if shape is Plant else 'contours'}, " if sweep.rings else ""
+    counted = f"{sweep.rings:,} {COUNTED.get(shape, 'contours')}, " if sweep.rings else ""
     column.label(text=f"{counted}{len(mesh.polygons):,} faces", icon="BLANK1")
     return column
 

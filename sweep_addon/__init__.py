@@ -21,12 +21,13 @@ except ModuleNotFoundError as missing:
         sys.exit(NEEDED)
     raise ModuleNotFoundError(NEEDED, name=missing.name) from None
 
-from .core import contours, solids, trajectories
+from .core import contours, machining, solids, trajectories
 from .core.declared.parameters import ShapeError
 from .core.rings import corners, ends, limits
 from .core.shapes.canal_surface import CanalSurface
 from .core.shapes.general_sweep import GeneralSweep
 from .core.shapes.generalized_cylinder import GeneralizedCylinder
+from .core.shapes.machined_stock import MachinedStock
 from .core.shapes.offset_surface import OffsetSurface
 from .core.shapes.pd_curve_sweep import PDCurveSweep
 from .core.shapes.plant import Plant
@@ -43,6 +44,7 @@ __all__ = [
     "GeneralizedCylinder",
     "GrammarError",
     "LSystem",
+    "MachinedStock",
     "Mesh",
     "OffsetSurface",
     "PDCurve",
@@ -82,8 +84,10 @@ __all__ = [
 if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
     __all__ += ["from_object", "to_object"]
 
-SPACES = ("contours", "corners", "directions", "ends", "frames", "laws", "limits", "sampling", "solids", "trajectories")
-SPACES_LATER = {"machining": ".core.machining", "presets": ".presets"}
+SPACES = (
+    "contours", "corners", "directions", "ends", "frames", "laws", "limits", "machining", "sampling", "solids",
+    "trajectories",
+)  # fmt: skip
 LATER = {
     "Curves": ".core.shapes.plant",
     "Edges": ".core.shapes.plant",
@@ -121,8 +125,8 @@ def __getattr__(name):
 
     if name == "__version__":
         return import_module(".core.version", __package__).version()
-    if name in SPACES_LATER:
-        return import_module(SPACES_LATER[name], __package__)
+    if name == "presets":
+        return import_module(".presets", __package__)
     if name not in LATER:
         found = [f"{space}.{name}" for space in SPACES if name in dir(globals()[space])]
         where = f": it is {' or '.join(found)}" if found else ""

@@ -62,6 +62,12 @@ def parser():
     check.add_argument("jobs", metavar="JOB", nargs="+", help="a job file (.toml)")
     check.set_defaults(act=verbs.check)
 
+    verify = commands.add_parser("verify", help="say whether programs of machines make their parts",
+                                 description=verbs.verify.__doc__)  # fmt: skip
+    verify.add_argument("jobs", metavar="JOB", nargs="+", help="a job file (.toml) of machined stock")
+    verify.add_argument("--part", metavar="PART", help="a job file of the desired part, instead of what the jobs say")
+    verify.set_defaults(act=verbs.verify)
+
     derive = commands.add_parser("derive", help="print the word of a grammar", description=grammar.derive.__doc__)
     derive.add_argument("grammar", metavar="FILE", help="a text with an axiom and productions; - for standard input")
     derive.add_argument("-n", "--generations", metavar="N", type=whole, help="how many steps, else as many as it says")

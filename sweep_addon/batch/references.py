@@ -23,12 +23,18 @@ from ..core.declared.parameters import (
     shown,
     spelled,
 )
+from ..core.declared.program_text import Program
 from ..core.declared.refusals import MOST
 from ..core.rings.corners import Corner, Mitre
-from ..core.shapes import growing
+from ..core.shapes import growing, milling
 from ..core.shapes.operand import Operand
 
-LARGEST_FILE = 50_000_000  # bytes of a drawing or a font
+LARGEST_FILE = 50_000_000  # bytes of a drawing, a font or a text
+BADLY_WRITTEN = {Grammar: "strict", Program: "replace"}  # comments of programs are in whatever their author had
+READ = {  # what reads a text that is a parameter, or refuses it
+    Grammar: lambda text: growing.read(Grammar.coerced(text)),
+    Program: lambda text: milling.path_of(Program.coerced(text)),
+}
 
 
 @declared
@@ -55,8 +61,8 @@ class Text:
 
 
 @declared
-class GrammarFile:
-    """The text of a grammar"""
+class TextFile:
+    """The text of a grammar or of a program"""
 
     file: str = parameter("", "Path of a text file, relative to the job")
 
@@ -94,11 +100,11 @@ def resolved(p, value, folder, files):
         return items_resolved(p, value, folder, files)
     if p.type is Operand:
         return operand_resolved(value, folder, files)
-    if p.type is Grammar and isinstance(value, str):
-        growing.read(Grammar.coerced(value))  # so that what is wrong in it is told with what else is
+    if p.type in READ and isinstance(value, str):
+        READ[p.type](p.type.coerced(value))  # so that what is wrong in it is told with what else is
         return value
-    if p.type is Grammar and isinstance(value, dict):
-        made, path = grammar(value, folder)
+    if p.type in READ and isinstance(value, dict):
+        made, path = text_in_file(value, folder, p.type)
     else:
         reference = reference_of(p, value)
         if not reference:
@@ -108,16 +114,16 @@ def resolved(p, value, folder, files):
     return made
 
 
-def grammar(reference, folder):
-    """The text of a grammar in a file, and the file."""
-    told = filled(GrammarFile, parameters(GrammarFile), reference)
+def text_in_file(reference, folder, kind):
+    """The text of a grammar or a program in a file, and the file."""
+    told = filled(TextFile, parameters(TextFile), reference)
     path = existing(folder, told.file, "file")
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = path.read_text(encoding="utf-8-sig", errors=BADLY_WRITTEN[kind])
     except UnicodeDecodeError:
         raise ShapeError(f"must be text in UTF-8, got {shown(told.file)}", "file") from None
     try:
-        growing.read(Grammar(text))  # which keeps it for the plant
+        READ[kind](text)  # which keeps it for the shape
     except ShapeError as refusal:
         problems = getattr(refusal, "problems", ())
         places = [problem.placed(path) for problem in problems[:MOST]]
@@ -260,12 +266,12 @@ def with_references(form, declared):
     for p in declared:
         if p.item:
             with_references(form["properties"][p.name]["items"], parameters(p.item))
-        if p.type is Grammar:
+        if p.type in READ:
             text = form["properties"][p.name]
             form["properties"][p.name] = {"anyOf": [{"type": text.pop("type")}], **text}
-        if p.accepts or p.type is Grammar:
+        if p.accepts or p.type in READ:
             kinds = (File, Text) if contours.Outline in p.kinds else (File,)
-            for kind in (GrammarFile,) if p.type is Grammar else kinds:
+            for kind in (TextFile,) if p.type in READ else kinds:
                 table = table_schema(kind, parameters(kind))
                 del table["properties"]["kind"]
                 table["required"] = [parameters(kind)[0].name]

@@ -13,9 +13,10 @@ from pathlib import Path
 import numpy as np
 
 from ..core.declared import description
-from ..core.declared.parameters import ShapeError, require
+from ..core.declared.parameters import ShapeError, require, spelled
 from ..core.self_intersection.places import Places
 from ..core.shapes.kinds import SWEPT
+from ..core.shapes.machined_stock import MachinedStock
 from . import describing, grammar
 from . import job as jobs
 from .export import MODELS, PICTURES, check_output, save_model, silent
@@ -96,6 +97,33 @@ def check(told):
             sys.stderr.write(f"{refusal}\n")
             code = max(code, code_of(refusal))
     return code
+
+
+def verify(told):
+    """Say whether the programs of jobs of machined stock make their parts: what they cut away of these, where rapid
+    moves cut, and by which lines."""
+    part = read(told.part).shape if told.part else None
+    code = 0
+    for path in told.jobs:
+        try:
+            job = read(path)
+            with pointing_at(job):
+                require(isinstance(job.shape, MachinedStock), "must be machined-stock", word(job.shape), "kind")
+                found = job.shape.verify(part)
+        except ShapeError as refusal:
+            sys.stderr.write(f"{refusal}\n")
+            code = max(code, code_of(refusal))
+            continue
+        say(f"{path}: {'right' if found.correct else 'wrong'}")
+        for sentence in found.sentences():
+            say(f"{path}: {sentence}")
+        code = max(code, 0 if found.correct else 1)
+    return code
+
+
+def word(shape):
+    """The kind of a shape, as jobs name it."""
+    return spelled(type(shape))
 
 
 def size(vertices):

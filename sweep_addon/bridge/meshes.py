@@ -22,7 +22,7 @@ TEXTURE = "UVMap"
 NAMES = (  # of what each key of a chart stands for
     (TEXTURE,),
     ("u", "arc_length", "radius"),
-    ("v", "colour", "birth", "axis", "order", "organ", "size", "rotation"),
+    ("v", "colour", "birth", "axis", "order", "organ", "size", "rotation", "depth", "line", "deviation"),
 )
 KNOWN = {TEXTURE, "sharp_edge", "sharp_face", "material_index", *NAMES[1], *NAMES[2]}  # no person's own
 SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many: half a millisecond on each update

@@ -10,6 +10,7 @@ from ..core.declared.parameters import ShapeError, at, parameters, require, spel
 from ..core.declared.wording import titled
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES, SWEPT
+from ..core.shapes.machined_stock import MachinedStock
 from ..core.shapes.offset_surface import OffsetSurface
 from ..core.shapes.operand import Operand
 from ..core.shapes.plant import Plant
@@ -23,6 +24,8 @@ axis_curves, grove, trees = later("bridge.axis_curves"), later("bridge.grove"), 
 SLOTS = 2  # of materials: of sides and of ends
 SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 GROWN = spelled(Plant, "_").upper()
+MILLED = spelled(MachinedStock, "_").upper()
+WRITTEN = {GROWN: "system", MILLED: "program"}  # the parameter that is a text, which people may edit
 
 
 def new_mesh(shape, name=None, **objects):
@@ -181,6 +184,17 @@ def is_grown(mesh):
     return sweep is not None and sweep.kind == GROWN
 
 
+def is_written(mesh):
+    """Whether a mesh is made of a text that people may edit: of a grammar, or of a program of a machine."""
+    sweep = getattr(mesh, "sweep", None)  # None where the extension is not enabled
+    return sweep is not None and sweep.kind in WRITTEN
+
+
+def text_of(mesh):
+    """The group that holds the text a mesh is made of, and its parameter's name."""
+    return getattr(mesh.sweep, mesh.sweep.kind.lower()), WRITTEN[mesh.sweep.kind]
+
+
 def is_united(ob):
     """Whether an object is a plant whose tubes are one solid, or will be as soon as that is made."""
     if not (is_sweep(ob) and is_grown(ob.data)):
@@ -200,7 +214,7 @@ def carrier(shape):
     None where nothing stands for objects.
     """
     names = [p.name for p in parameters(shape)]
-    return next((name for name in ("trajectory", "contour", "body") if name in names), None)
+    return next((name for name in ("trajectory", "contour", "body", "part") if name in names), None)
 
 
 def suited(shape, given):

@@ -19,6 +19,7 @@ import numpy as np
 from ..core.declared.grammar_text import Grammar, Values
 from ..core.declared.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
 from ..core.declared.plain import plain
+from ..core.declared.program_text import Program
 from ..core.declared.wording import summary, titled
 from ..core.later import later
 
@@ -28,7 +29,8 @@ UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (3.4028234663852886e38, 2**31 - 1)  # of a float32, and of an int32
 LOCAL = {"LIBRARY_OVERRIDABLE"}
 LIMITS = {"min", "max", "soft_min", "soft_max"}
-ASIDE = (Grammar, Values)  # a group has a text and sliders for them, an operator hidden text
+TEXTS = (Grammar, Program)  # a group has a text of the file for each, an operator hidden text
+ASIDE = (*TEXTS, Values)  # and sliders for these
 OBJECT = ("OBJECT", "Object", "An object of the scene", 0)
 SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 
@@ -80,10 +82,12 @@ def held_aside(p, update):
     if p.type is Values:
         return {p.name: bpy.props.PointerProperty(type=VALUES, **told(p))}
     text = bpy.props.PointerProperty(type=bpy.types.Text, update=update, **told(p))
-    understood = bpy.props.StringProperty(
-        options={"HIDDEN"}, name="Understood", description="The last text without a mistake"
-    )
-    return {p.name: define(p, update), f"{p.name}_text": text, f"{p.name}_understood": understood}
+    made = {p.name: define(p, update), f"{p.name}_text": text}
+    if p.type is Grammar:
+        made[f"{p.name}_understood"] = bpy.props.StringProperty(
+            options={"HIDDEN"}, name="Understood", description="The last text without a mistake"
+        )
+    return made
 
 
 def told(p):
@@ -353,7 +357,7 @@ def write(group, declared, value, prefix=""):
                 write(held.add(), parameters(p.item), item)
             continue
         if p.type in ASIDE and not isinstance(group, bpy.types.Operator):
-            (texts.hold if p.type is Grammar else texts.turn)(group, part)
+            texts.hold(group, p.name, part) if p.type in TEXTS else texts.turn(group, part)
             continue
         setattr(group, name, stored(p, part))
         if p.kinds:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grammars in texts of Blender, where people edit them, and the constants in them as properties that can be animated.
+"""Grammars and programs in texts of Blender, where people edit them, and the constants in grammars as properties.
 
 The mesh keeps its own copy of the text, so that it outlives the text. Numbers that nobody has turned follow the text.
 """
@@ -14,7 +14,7 @@ from ..core.declared.grammar_text import Grammar, Values
 from ..core.declared.parameters import ShapeError, require
 from ..core.shapes import growing
 from ..core.shapes.plant import SAID
-from . import rna
+from . import objects, rna
 
 LARGEST = 2**31 - 1  # whole number of a property
 LONGEST, MOST = 63, 500  # characters of a property's name, and properties: further constants have the text's values
@@ -49,16 +49,23 @@ def system(group):
         return growing.read(group.system)
 
 
-def hold(group, text):
-    """Put the text of a grammar into a mesh's parameters, and into a text of the file for people to edit."""
-    group.system = group.system_understood = text
-    held = group.system_text
+def hold(group, name, text):
+    """Put a text into a mesh's parameters, and into a text of the file for people to edit."""
+    setattr(group, name, text)
+    if hasattr(group, f"{name}_understood"):
+        setattr(group, f"{name}_understood", text)
+    held = held_by(group, name)
     if held is None or held.as_string() != text:
         held = bpy.data.texts.new(group.id_data.name)
         held.from_string(text)
         held.cursor_set(0)
         held.use_fake_user = False  # it goes with the last mesh that is made of it
-        group.system_text = held
+        setattr(group, f"{name}_text", held)
+
+
+def held_by(group, name):
+    """The text of the file that people edit, or None where it was deleted."""
+    return getattr(group, f"{name}_text")
 
 
 def turn(group, values):
@@ -69,14 +76,15 @@ def turn(group, values):
 
 
 def follow(mesh):
-    """Read the text of a mesh's grammar, if somebody has changed it, and make the mesh anew."""
-    group = mesh.sweep.plant
-    held = group.system_text
-    if held is None or not mesh.is_editable or held.as_string() == group.system:
+    """Read the text that a mesh is made of, if somebody has changed it, and make the mesh anew."""
+    group, name = objects.text_of(mesh)
+    held = held_by(group, name)
+    if held is None or not mesh.is_editable or held.as_string() == getattr(group, name):
         return
     with rna.at_once(mesh.sweep):
-        group.system = held.as_string()
-        settle(group)
+        setattr(group, name, held.as_string())
+        if objects.is_grown(mesh):
+            settle(group)
 
 
 def settle(group):

@@ -10,7 +10,7 @@ from ..core.later import later
 mark = later("bridge.meshes", "mark")
 has_fast = later("bridge.solvers", "has_fast")
 follow = later("bridge.texts", "follow")
-inputs, is_grown = later("bridge.objects", "inputs", "is_grown")
+inputs, is_written = later("bridge.objects", "inputs", "is_written")
 renders_otherwise = later("bridge.objects", "renders_otherwise")
 finding, reading = later("properties.finding"), later("properties.reading")
 differs, rebuild, set_if_other = later("properties.live", "differs", "rebuild", "set_if_other")
@@ -47,7 +47,7 @@ def after_frame(scene, depsgraph):
 @persistent
 def after_history(*_):
     """Undo, redo or a file bring meshes that may not have been looked at, and texts that people may edit."""
-    if any(map(is_grown, sweeps())):
+    if any(map(is_written, sweeps())):
         reading.begin()
     if any(finding.is_due(mesh) for mesh in sweeps()):
         finding.soon()
@@ -56,7 +56,7 @@ def after_history(*_):
 @persistent
 def at_file(*_):
     """A script may have written into a text, of which Blender tells nobody: a file has mesh and text together."""
-    for mesh in filter(is_grown, sweeps()):
+    for mesh in filter(is_written, sweeps()):
         follow(mesh)
 
 

@@ -32,7 +32,7 @@ def rebuild(mesh, depsgraph=None):
     sweep = mesh.sweep
     if sweep.kind == "NONE" or mesh.is_editmode:
         return
-    if objects.is_grown(mesh) and not (depsgraph and depsgraph.mode == "RENDER"):
+    if objects.is_written(mesh) and not (depsgraph and depsgraph.mode == "RENDER"):
         texts.follow(mesh)
         reading.begin()
     source = source_of(mesh, depsgraph)
@@ -62,8 +62,10 @@ def source_of(mesh, depsgraph):
     if not depsgraph:
         return mesh
     evaluated = mesh.evaluated_get(depsgraph)
-    stale = objects.is_grown(mesh) and evaluated.sweep.plant.system != mesh.sweep.plant.system
-    return mesh if stale else evaluated
+    if not objects.is_written(mesh):
+        return evaluated
+    read, now = (getattr(*objects.text_of(each)) for each in (evaluated, mesh))
+    return mesh if read != now else evaluated
 
 
 def put(mesh, made, wanted, room=None, solid=""):

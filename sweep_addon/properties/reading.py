@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reading the texts of grammars again a moment after somebody has typed in one, for Blender tells nobody of typing.
+"""Reading texts of grammars and programs again a moment after somebody has typed in one: Blender tells nobody of it.
 
-One timer looks at the texts that plants are made of, and ends when there are none. In background mode nobody types.
+One timer looks at the texts that meshes are made of, and ends when there are none. In background mode nobody types.
 """
 
 import bpy
 
-from ..bridge.objects import is_grown
+from ..bridge.objects import is_written, text_of
+from ..bridge.texts import held_by
 from .finding import redraw
 from .live import rebuild
 
@@ -21,14 +22,15 @@ class Watch:
         self.seen = {}
 
     def __call__(self):
-        """Make plants anew whose text has changed and then stood still, and say when to look again."""
+        """Make meshes anew whose text has changed and then stood still, and say when to look again."""
         watched = [mesh for mesh in bpy.data.meshes if is_watched(mesh)]
         if bpy.app.is_job_running("RENDER"):
             return PAUSE
         seen, self.seen = self.seen, {}
         for mesh in watched:
-            text = mesh.sweep.plant.system_text.as_string()
-            if text == mesh.sweep.plant.system:
+            group, name = text_of(mesh)
+            text = held_by(group, name).as_string()
+            if text == getattr(group, name):
                 continue
             if seen.get(mesh.session_uid) == text:
                 rebuild(mesh)
@@ -43,7 +45,7 @@ watch = Watch()
 
 def is_watched(mesh):
     """Whether a mesh is made of a text that people can edit."""
-    return is_grown(mesh) and mesh.is_editable and mesh.sweep.plant.system_text is not None
+    return is_written(mesh) and mesh.is_editable and held_by(*text_of(mesh)) is not None
 
 
 def begin():

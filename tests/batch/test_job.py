@@ -58,7 +58,7 @@ def written(folder, text, name="job.toml"):
         START + "[contour]\nradius = 2": ":3: contour.kind: must be given, as one of circle, ",
         "version = 1\nknid = 'plant'": ":2: knid: is no parameter: did you mean 'kind'?",
         "kind = 'plant'\nsystem = { fiel = 'a.l' }": (
-            ":2: system.fiel: is no parameter of GrammarFile, which has file: did you mean 'file'?"
+            ":2: system.fiel: is no parameter of TextFile, which has file: did you mean 'file'?"
         ),
         START + "[render]\nkind = 'png'": ":4: render.kind: is no parameter of Render, which has engine, ",
         "kind = 'plant'\n[rendr]\nwidth = 100": ":2: rendr: is no parameter of Plant, which has system, ",

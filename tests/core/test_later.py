@@ -34,6 +34,7 @@ WAITING = """
     self_intersection.cells self_intersection.cylinders self_intersection.detect self_intersection.faces
     self_intersection.folds self_intersection.lattice self_intersection.local self_intersection.pd_curves
     self_intersection.places self_intersection.screws self_intersection.stretches self_intersection.thickness
+    machining.programs machining.cutting machining.verification machining.remains shapes.milling
     trajectories.arc_length trajectories.breaks trajectories.gpx trajectories.neighbours trajectories.table
 """.split()
 DECLARED = """

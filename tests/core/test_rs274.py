@@ -22,6 +22,7 @@ REFUSED_HERE = {  # by what the refusal says, of programs that LinuxCNC runs, or
     "programs of three axes": {"linuxcnc_g53.ngc", "linuxcnc_unit-conversion.ngc"},
     "in the plane of G17 alone": {"linuxcnc_g19-g98-g84.ngc"},
 }  # fmt: skip
+READ_TO_THE_END = {"camotics_text.ngc"}  # whose last line is a % that no other goes with, which LinuxCNC minds
 
 
 @pytest.mark.parametrize("path", oracle.ORACLES, ids=lambda path: path.name.removesuffix(".canon.gz"))
@@ -32,7 +33,7 @@ def test_a_real_program_makes_the_moves_of_linuxcnc_or_is_refused_by_name(path):
     assert differ == []
     name = path.name.removesuffix(".canon.gz")
     reasons = [reason for reason, names in REFUSED_HERE.items() if name in names]
-    if reasons or told.refusal:
+    if (reasons or told.refusal) and name not in READ_TO_THE_END:
         assert re.match(r"line \d+ ", refused)
         assert told.refusal or reasons[0] in refused
     else:
@@ -192,6 +193,8 @@ def test_plain_lines_read_at_once_are_those_read_one_by_one():
         ("G83 F9 X1 Z-1 R1", "line 1 needs Q, how deep each peck of G83 goes, of more than 0"),
         ("G81 F9 Z2 R1", "line 1 has R, where its canned cycle begins to feed, below the depth it goes to"),
         ("%\nG0 X1\n%\nG99.9", ""),
+        ("G0 X1\n%\n", ""),
+        ("G0 X1\n%\nG0 X2", "line 2 has a word that no program has before '%', of letters and numbers"),
         ("G0 X1 ; comment (of any kind\n/ G99.9", ""),
     ],
 )  # fmt: skip

@@ -11,10 +11,12 @@ from typing import NamedTuple, get_args, get_origin
 from .forms import VERSION, plain, scalar, tidy
 from .grammar_text import Grammar, Values
 from .parameters import Array, inside, parameters, spelled
+from .program_text import Program
 from .wording import longest, summary, within
 
-WORDS = {Grammar: "text", Values: "table of numbers"}
-SCHEMAS = {Grammar: {"type": "string"}, Values: {"type": "object", "additionalProperties": {"type": "number"}}}
+WORDS = {Grammar: "text", Program: "text", Values: "table of numbers"}
+TEXT = {"type": "string"}
+SCHEMAS = {Grammar: TEXT, Program: TEXT, Values: {"type": "object", "additionalProperties": {"type": "number"}}}
 UNITS = {None: "", "length": "m", "angle": "rad"}
 
 

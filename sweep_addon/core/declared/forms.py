@@ -257,6 +257,7 @@ def public_name(cls):
         "sampling",
         "corners",
         "solids",
+        "machining",
     )
     home = next((f"{part}." for part in parts if part in spaces), "")
     return f"sw.{home}{cls.__name__}"

@@ -17,6 +17,7 @@ from ..rings.ends import Flat
 from ..shapes.canal_surface import BallEnd, CanalSurface
 from ..shapes.general_sweep import GeneralSweep
 from ..shapes.generalized_cylinder import GeneralizedCylinder
+from ..shapes.machined_stock import MachinedStock
 from ..shapes.offset_surface import OffsetSurface
 from ..shapes.pd_curve_sweep import PDCurveSweep
 from ..shapes.plant import Plant
@@ -198,6 +199,7 @@ KINDS = {
     CanalSurface: canal,
     OffsetSurface: offset,
     GeneralSweep: general,
+    MachinedStock: lambda stock: meshed(stock.mesh()),
     Plant: lambda plant: member(plant.united()),
     solids.Block: lambda block: prism(Rectangle(block.width, block.depth), block.height),
     solids.Cylinder: lambda rod: prism(Circle(rod.radius), rod.height),

@@ -6,6 +6,7 @@ from ..declared.parameters import spelled
 from .canal_surface import CanalSurface
 from .general_sweep import GeneralSweep
 from .generalized_cylinder import GeneralizedCylinder
+from .machined_stock import MachinedStock
 from .offset_surface import OffsetSurface
 from .pd_curve_sweep import PDCurveSweep
 from .plant import Plant
@@ -16,6 +17,6 @@ PLANAR = (TranslationalSweep, RotationalSweep, PDCurveSweep, GeneralizedCylinder
 SOLID = (CanalSurface, OffsetSurface)
 SWEEPS = {"Planar Generator": PLANAR, "Solid Generator": SOLID, "Any Generator": (GeneralSweep,)}
 SWEPT = tuple(shape for shapes in SWEEPS.values() for shape in shapes)
-CLASSIFICATION = SWEEPS | {"Grammar": (Plant,)}
+CLASSIFICATION = SWEEPS | {"Machining": (MachinedStock,), "Grammar": (Plant,)}
 SHAPES = tuple(shape for shapes in CLASSIFICATION.values() for shape in shapes)
 SHAPE_NAMES = {spelled(shape): shape for shape in SHAPES}  # as jobs name them

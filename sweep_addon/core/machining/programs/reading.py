@@ -58,16 +58,13 @@ class Run:
 
     def __init__(self, text):
         self.lines = text.split("\n")
-        self.percent = next((line for line, said in enumerate(self.lines) if said.strip()), 0)
-        self.marked = self.lines[self.percent].strip() == "%"
-        if self.marked:  # what is after the second is no part of the program
-            ends = (line for line in range(self.percent + 1, len(self.lines)) if self.lines[line].strip() == "%")
-            self.lines = self.lines[: next(ends, len(self.lines))]
+        first, last = within_marks(self.lines)
+        self.lines = self.lines[:last]
         self.flow = linked(self.lines)
         self.machine = Machine()
         self.parameters = Parameters(self.machine)
         self.blocks = {}
-        self.next = self.percent + 1 if self.marked else 0
+        self.next = first
         self.farthest, self.steps = self.next, 0
 
     def through(self):
@@ -242,6 +239,15 @@ class Run:
                 self.machine.restore(frame.saved)
             frames.pop()
             self.next = frame.back
+
+
+def within_marks(lines):
+    """The first line of a program and that behind its last: what a line of % each encloses, or ends alone."""
+    marks = [line for line, said in enumerate(lines) if said.strip() == "%"]
+    begins = bool(marks) and not any(said.strip() for said in lines[: marks[0]])
+    first = marks[0] + 1 if begins else 0
+    ends = marks[1:] if begins else [mark for mark in marks if not any(said.strip() for said in lines[mark + 1 :])]
+    return first, ends[0] if ends else len(lines)
 
 
 def keep_modes(machine, frame, stops):

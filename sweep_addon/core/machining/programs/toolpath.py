@@ -76,9 +76,7 @@ class Toolpath:
         >>> len(ends), bool(np.allclose(np.hypot(*ends[:, :2].T), 0.01))
         (4, True)
         """
-        counts = np.ones(len(self), dtype=np.int64)
-        counts[self.arcs] = pieces(self.radii(), np.linalg.norm(self.turns, axis=1), tolerance)
-        counts[: self.first] = 0
+        counts = self.pieces(tolerance)
         moves = np.repeat(np.arange(len(self)), counts)
         last = np.cumsum(counts)
         ends = self.points[moves]
@@ -89,6 +87,13 @@ class Toolpath:
                 ends[last[arc] - counts[arc] : last[arc] - 1] = along(start, self.points[arc], centre, turn, parts)
         begin = self.points[self.first - 1] if self.first else np.zeros(3)
         return np.concatenate((begin[None], ends[:-1]))[: len(ends)], ends, moves
+
+    def pieces(self, tolerance):
+        """How many straight pieces each move has: one, an arc as many as keep within a tolerance: (n,) int array."""
+        counts = np.ones(len(self), dtype=np.int64)
+        counts[self.arcs] = chords(self.radii(), np.linalg.norm(self.turns, axis=1), tolerance)
+        counts[: self.first] = 0
+        return counts
 
     def radii(self):
         """The larger of the radii of each arc at its ends: (k,)."""
@@ -101,7 +106,7 @@ class Toolpath:
         )
 
 
-def pieces(radii, angles, tolerance):
+def chords(radii, angles, tolerance):
     """How many equal chords stay within a tolerance of arcs: (k,)."""
     sagitta = np.clip(tolerance / np.maximum(radii, 1e-300), 1e-12, 1.0)
     return np.maximum(1, np.ceil(angles / (2 * np.arccos(1 - sagitta)) - 1e-9)).astype(np.int64)

@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cutting stock by a program: what is left of it at the places of a lattice; the last ones are kept."""
+
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+
+import numpy as np
+
+from ..declared.parameters import ShapeError, at, require
+from ..kept import kept
+from .lattice import Lattice
+from .programs import read
+from .programs.toolpath import Toolpath
+from .removal import removed
+from .stock import Stock
+from .tools import Tool
+
+COARSEST = 256  # cells along the longer side of the stock, where nobody says how large they are
+MOST_PLACES = 4_000_000
+MOST_PIECES = 10_000_000  # of moves, of which arcs have many
+NOTHING = "must move a tool from a place that is known to another, got a text that does not"
+LONG, MANY = 100_000, 300_000  # characters of a program and places, beyond which a person would wait
+
+
+@lru_cache(maxsize=4)
+def path_of(program):
+    """The moves of a program."""
+    return read(program)
+
+
+@dataclass(frozen=True)
+class Question:
+    """What decides what is left of stock, and who is told how far it is."""
+
+    program: str
+    tool: Tool
+    tools: tuple
+    stock: Stock
+    cell: float
+    tolerance: float
+    progress: object = field(default=None, compare=False)
+
+    @classmethod
+    def of(cls, shape, progress=None):
+        asked = (getattr(shape, name) for name in ("program", "tool", "tools", "stock", "cell", "tolerance"))
+        return cls(*asked, progress)
+
+
+@dataclass(frozen=True, eq=False)
+class Machined:
+    """Stock after a program.
+
+    Attributes
+    ----------
+    path : Toolpath
+    starts, ends : (m, 3) float arrays
+        Straight pieces of its moves, in metres.
+    moves : (m,) int array
+        The move of the path that each is part of.
+    tools : tuple of (Tool, (k,) int array)
+        Each tool that is used, and its pieces.
+    lattice : Lattice
+    low, high : (3,) float arrays
+        The corners of the block.
+    heights : (n, k) float array
+        What the moves leave at the places of the lattice, which may be below the bottom of the block.
+    by : (n, k) int array
+        The piece that cut each place last, or -1.
+    """
+
+    path: Toolpath
+    starts: np.ndarray
+    ends: np.ndarray
+    moves: np.ndarray
+    tools: tuple
+    lattice: Lattice
+    low: np.ndarray
+    high: np.ndarray
+    heights: np.ndarray = None
+    by: np.ndarray = None
+
+    @property
+    def nbytes(self):
+        return sum(part.nbytes for part in (self.starts, self.ends, self.moves, self.heights, self.by))
+
+    @property
+    def lines(self):
+        """The line of the program that cut each place last, 0 where none did: (n, k) int array."""
+        made = self.path.lines[self.moves] if len(self.moves) else np.zeros(1, dtype=np.int32)
+        return np.where(self.by < 0, 0, made[self.by])
+
+    @property
+    def left(self):
+        """The heights within the block: (n, k)."""
+        return np.clip(self.heights, self.low[2], self.high[2])
+
+
+@kept
+def cut(question):
+    """Run a program and cut the stock by all its moves: `Machined`."""
+    found = laid_out(question)
+    progress = question.progress or (lambda part: None)
+    heights, by = np.full(found.lattice.size, found.high[2]), np.full(found.lattice.size, -1)
+    for number, (tool, rows) in enumerate(found.tools):
+        heights, by = removed(
+            tool, found.starts[rows], found.ends[rows], found.lattice, heights, by, rows,
+            lambda part, number=number: progress((number + part) / len(found.tools)),
+        )  # fmt: skip
+    return replace(found, heights=heights, by=by)
+
+
+def laid_out(question):
+    """All but the cutting itself."""
+    path = path_of(question.program)
+    if len(path) <= path.first:
+        raise ShapeError(NOTHING, "program")
+    with at("tolerance"):
+        starts, ends, moves = pieces(path, question.tolerance)
+    tools = used(question, path.tools[moves])
+    radii = np.zeros(len(moves))
+    for tool, rows in tools:
+        radii[rows] = tool.radius
+    with at("stock"):
+        low, high = question.stock.box(path, starts, ends, radii)
+    cell = question.cell or max(high[:2] - low[:2]) / COARSEST
+    count = np.prod(np.ceil((high[:2] - low[:2]) / cell) + 1)
+    require(count <= MOST_PLACES, f"must make at most {MOST_PLACES:,} places", int(min(count, 1e18)), "cell")
+    lattice = Lattice.across(tuple(low[:2].tolist()), tuple(high[:2].tolist()), cell)
+    return Machined(path, starts, ends, moves, tools, lattice, low, high)
+
+
+def pieces(path, tolerance):
+    many = path.pieces(tolerance).sum()
+    require(many <= MOST_PIECES, f"must make at most {MOST_PIECES:,} pieces of moves", int(many))
+    return path.segments(tolerance)
+
+
+def used(question, numbers):
+    """Each tool that some pieces of moves are made with, and those pieces."""
+    known = {each.number: each.tool for each in question.tools}
+    by_tool = {}
+    for number in np.unique(numbers):
+        tool = known.get(int(number), question.tool)
+        by_tool.setdefault(tool, []).append(np.flatnonzero(numbers == number))
+    return tuple((tool, np.sort(np.concatenate(rows))) for tool, rows in by_tool.items())
+
+
+def takes_long(shape):
+    """Whether a person would wait for the mesh: of a long program, or on many places."""
+    if len(shape.program) > LONG:
+        return True
+    lattice = laid_out(Question.of(shape)).lattice
+    return lattice.size[0] * lattice.size[1] > MANY

@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which moves cut where they must not: below a height that the part has, or fast into stock that is still there."""
+
+import numpy as np
+
+from .lattice import SIDE
+from .moves import Moves, left, near_tiles
+
+CHUNK = 8  # moves of a tile that are looked at at once
+WIDE = 2**15  # places of tiles times moves that are looked at at once
+TOUCHING = 1e-5  # metres: a rapid move along a wall, or to where the last move has cut, does not cut
+
+
+class Thinner:
+    """A tool made thinner all round, so that it cuts nowhere where the whole tool only touches a wall."""
+
+    def __init__(self, tool, by):
+        self.tool, self.by, self.radius = tool, by, tool.radius - by
+
+    def reach(self, across):
+        return np.sqrt(np.maximum(self.radius**2 - across**2, 0.0))
+
+    def rise(self, distance):
+        return self.tool.rise(distance + self.by)
+
+    def ahead(self, across, slope):
+        return self.tool.ahead(across, slope)
+
+
+def part_cuts(machined, limits, allowance):
+    """How far each piece of a move cuts into what must be left, where that is still there when it comes: (m,) array.
+
+    Parameters
+    ----------
+    machined : Machined
+    limits : (n, m) float array
+        Heights that must be left at the places of the lattice, -inf where anything may be cut.
+    allowance : float
+        What the limits already leave of the part, which counts where one is passed.
+    """
+    depths = np.zeros(len(machined.starts))
+    tiled = machined.lattice.in_tiles(limits, -np.inf).reshape(-1, SIDE**2)
+
+    def look(tiles, pieces, before, height, x, y):
+        limit = tiled[tiles][:, None]
+        new = np.minimum(before, limit) - height > TOUCHING
+        into = np.where(new, limit - height + allowance, 0.0).max(axis=2)
+        np.maximum.at(depths, pieces, into)
+
+    in_order(machined, tiled.max(axis=1), look)
+    return depths
+
+
+def rapid_cuts(machined):
+    """How far each rapid piece cuts into what is there when it comes: (m,) array, 0 where it does not."""
+    depths = np.zeros(len(machined.starts))
+    rapid = machined.path.rapid[machined.moves]
+    top = machined.high[2] - TOUCHING
+    low = rapid & (np.minimum(machined.starts[:, 2], machined.ends[:, 2]) < top)
+    if not low.any():
+        return depths
+    tiles, _ = pairs(machined, low, np.full(count(machined.lattice), top))
+    ceiling = np.full(count(machined.lattice), -np.inf)
+    ceiling[tiles] = machined.high[2]
+
+    def look(tiles, pieces, before, height, x, y):
+        fast = low[pieces].any(axis=1)
+        thin = heights_left(machined, pieces[fast], x[fast], y[fast], TOUCHING)
+        into = np.where(low[pieces[fast]], (before[fast] - thin).max(axis=2), 0.0)
+        np.maximum.at(depths, pieces[fast], np.where(into > TOUCHING, into, 0.0))
+
+    in_order(machined, ceiling, look)
+    return depths
+
+
+def in_order(machined, ceiling, look):
+    """Cut tiles by the pieces of moves one after the other, and look at each.
+
+    Parameters
+    ----------
+    machined : Machined
+    ceiling : (t,) array
+        The height of each tile; pieces that stay above are left out, and so are tiles without any.
+    look : callable
+        Is given the tiles (k,), the pieces (k, c), and (k, c, places) the heights before each and what each leaves; and
+        the coordinates of the places (k, places).
+    """
+    tiles, pieces = pairs(machined, np.ones(len(machined.starts), dtype=bool), ceiling)
+    starts = np.flatnonzero(np.diff(tiles, prepend=-1))
+    ends = np.append(starts[1:], len(tiles))
+    numbers = tiles[starts]
+    heights = np.full((len(starts), SIDE**2), machined.high[2])
+    which, size = np.arange(len(starts)), max(1, WIDE // (CHUNK * SIDE**2))
+    while len(which):
+        for first in range(0, len(which), size):
+            some = which[first : first + size]
+            here = np.minimum(starts[some][:, None] + np.arange(CHUNK), ends[some][:, None] - 1)
+            x, y = places(machined.lattice, numbers[some])
+            height = heights_left(machined, pieces[here], x, y)
+            after = np.minimum.accumulate(np.minimum(height, heights[some][:, None]), axis=1)
+            before = np.concatenate((heights[some][:, None], after[:, :-1]), axis=1)
+            look(numbers[some], pieces[here], before, height, x, y)
+            heights[some] = after[:, -1]
+        starts = starts + CHUNK
+        which = which[starts[which] < ends[which]]
+
+
+def count(lattice):
+    return lattice.tiles[0] * lattice.tiles[1]
+
+
+def pairs(machined, wanted, ceiling):
+    """Tiles and pieces of moves that come near them, by tiles and in each in the order of the program."""
+    found = []
+    for tool, rows in machined.tools:
+        rows = rows[wanted[rows]]
+        moves = Moves.between(machined.starts[rows], machined.ends[rows])
+        tiles, row, _ = near_tiles(tool, moves, machined.lattice, ceiling)
+        found.append((tiles, rows[row]))
+    tiles, pieces = (np.concatenate(part) for part in zip(*found, strict=True))
+    order = np.lexsort((pieces, tiles))
+    return tiles[order], pieces[order]
+
+
+def heights_left(machined, pieces, x, y, thinner=0.0):
+    """What pieces of moves leave in their tiles, each by its own tool, or by that made thinner: (k, c, places)."""
+    found = np.full((*pieces.shape, SIDE**2), np.inf)
+    for tool, rows in machined.tools:
+        own = np.ones(pieces.shape, dtype=bool) if len(machined.tools) == 1 else np.isin(pieces, rows)
+        tile, number = np.nonzero(own)
+        if len(tile):
+            cutter = Thinner(tool, min(thinner, tool.radius / 2)) if thinner else tool
+            moves = Moves.between(machined.starts[pieces[own]], machined.ends[pieces[own]])
+            found[tile, number] = left(cutter, moves.of(np.arange(len(tile))[:, None]), x[tile], y[tile])
+    return found
+
+
+def places(lattice, tiles):
+    """The coordinates of the places of tiles: two (t, SIDE * SIDE) arrays."""
+    x, y = lattice.corners(tiles)
+    inside = np.arange(SIDE)
+    across = (lattice.step[0] * inside).repeat(SIDE)
+    along = np.tile(lattice.step[1] * inside, SIDE)
+    return x[:, None] + across, y[:, None] + along

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Milling: from the parameters of machined stock to its mesh, and what people are told of it."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..declared.parameters import ShapeError, at
+from ..machining.chart import Cut
+from ..machining.cutting import Question, cut, path_of, takes_long
+from ..machining.remains import remains
+from ..machining.verification import verify
+
+__all__ = ["check", "made", "mesh", "takes_long", "verify"]
+
+
+def check(shape):
+    """Refuse a text that is no program, and two tools of one number."""
+    with at("program"):
+        path_of(shape.program)
+    numbers = [each.number for each in shape.tools]
+    for place, number in enumerate(numbers, 1):
+        if number in numbers[: place - 1]:
+            raise ShapeError(f"must be of one tool alone, got {number} again", f"tools.{place}.number")
+
+
+def mesh(shape, dtype=np.float64):
+    """The mesh of machined stock."""
+    return made(shape, None).astype(dtype)
+
+
+def made(shape, progress):
+    machined = cut(Question.of(shape, progress))
+    found = verify(shape, None, shape.allowance)
+    left = remains(machined.lattice, machined.heights, machined.low[2], machined.high[2])
+    solid = left.mesh(told=(*told(shape, machined), *found.sentences()))
+    values = attributes(machined, found, left) if shape.attributes else {}
+    return replace(solid, chart=Cut(values, len(machined.path)))
+
+
+def told(shape, machined):
+    """What was decided where the parameters left it open."""
+    numbers = set(np.unique(machined.path.tools[machined.moves]).tolist())
+    unknown = sorted(numbers - {each.number for each in shape.tools})
+    if len(numbers) > 1 and unknown:
+        which = f"{', '.join(map(str, unknown))} {'are' if len(unknown) > 1 else 'is'}"
+        return (f"The program uses tools of several numbers, of which {which} taken for the one of no number.",)
+    return ()
+
+
+def attributes(machined, found, left):
+    """Values at each vertex by name; below they are those of no cut."""
+    values = {"depth": machined.high[2] - machined.left, "line": machined.lines}
+    if found.deviation is not None:
+        values["deviation"] = found.deviation
+    return {name: np.where(left.on_top, grid.ravel()[left.place], 0.0) for name, grid in values.items()}
