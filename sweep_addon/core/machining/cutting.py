@@ -18,7 +18,7 @@ from .tools import Tool
 
 COARSEST = 256  # cells along the longer side of the stock, where nobody says how large they are
 MOST_PLACES = 4_000_000
-MOST_PIECES = 10_000_000  # of moves, of which arcs have many
+MOST_PIECES = 4_000_000  # of moves, of which arcs have many
 NOTHING = "must move a tool from a place that is known to another, got a text that does not"
 LONG, MANY = 100_000, 300_000  # characters of a program and places, beyond which a person would wait
 
@@ -31,7 +31,7 @@ def path_of(program):
 
 @dataclass(frozen=True)
 class Question:
-    """What decides what is left of stock, and who is told how far it is."""
+    """What decides what is left of stock, and a list of who is told how far it is, which is empty afterwards."""
 
     program: str
     tool: Tool
@@ -39,12 +39,16 @@ class Question:
     stock: Stock
     cell: float
     tolerance: float
-    progress: object = field(default=None, compare=False)
+    listening: list = field(default_factory=list, compare=False)
 
     @classmethod
     def of(cls, shape, progress=None):
         asked = (getattr(shape, name) for name in ("program", "tool", "tools", "stock", "cell", "tolerance"))
-        return cls(*asked, progress)
+        return cls(*asked, [progress] if progress else [])
+
+    def tell(self, part):
+        for progress in self.listening:
+            progress(part)
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,13 +104,13 @@ class Machined:
 def cut(question):
     """Run a program and cut the stock by all its moves: `Machined`."""
     found = laid_out(question)
-    progress = question.progress or (lambda part: None)
     heights, by = np.full(found.lattice.size, found.high[2]), np.full(found.lattice.size, -1)
     for number, (tool, rows) in enumerate(found.tools):
         heights, by = removed(
             tool, found.starts[rows], found.ends[rows], found.lattice, heights, by, rows,
-            lambda part, number=number: progress((number + part) / len(found.tools)),
+            lambda part, number=number: question.tell((number + part) / len(found.tools)),
         )  # fmt: skip
+    question.listening.clear()  # the question is kept with its answer, and nobody else should be
     return replace(found, heights=heights, by=by)
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from .lattice import SIDE
 
-MANY = 4_000_000  # pairs of tiles and moves that are looked at at once
+MANY = 2_000_000  # pairs of tiles and moves that are looked at at once
 
 
 @dataclass(frozen=True)
