@@ -2,29 +2,34 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finding a removal path: the simplest motions first, and nothing is returned that has no certificate."""
 
-from numbers import Real
+from numbers import Integral, Real
 
 import numpy as np
 
 from ..declared.parameters import require
-from ..progress import unheard
+from ..progress import unheard, within
 from .bodies import assembly, taken
 from .directions import candidates
 from .legs import START, Pose
 from .moves import Scene
 from .obstacles import refuse_overlap, seal
 from .path import RemovalPath
+from .several import chains
 from .slipping import Contacts
 from .straight import ways_out
+from .trees import grown, shortened
 
 RELATIVE, LARGEST = 1e-3, 0.1  # of the size of the part: the tolerance where none is given, and the largest
+BUDGET = 200_000  # poses that are tried
+AGAIN = 20_000  # after which trees begin anew: most that arrive do so soon
 NEAR = 2  # tolerances: as near others touch the part
 
 
-def removal_path(part, others, tolerance=None, distance=None, progress=None):
+def removal_path(part, others, tolerance=None, distance=None, seed=0, budget=BUDGET, progress=None):
     """Find a path on which a part gets out of an assembly, and prove that it touches nothing on it.
 
-    Straight ways are tried first, in directions that the forms and the contacts of the parts tell.
+    Straight ways are tried first, in directions that the forms and the contacts of the parts tell; then two and more
+    translations and screws, as far as something opens; and then random poses.
 
     Parameters
     ----------
@@ -38,6 +43,10 @@ def removal_path(part, others, tolerance=None, distance=None, progress=None):
     distance : float, optional
         How far the part goes on its last straight way, in metres; by default until a plane across the way lies between
         it and all others.
+    seed : int
+        Of the random poses.
+    budget : int
+        So many poses are tried where straight ways are blocked, ten thousand or more in a second.
     progress : callable, optional
         Is told which part is done, from 0 to 1; what it raises ends the work.
 
@@ -66,30 +75,94 @@ def removal_path(part, others, tolerance=None, distance=None, progress=None):
     """
     progress = progress or unheard
     scene = scene_of(part, others, tolerance)
-    checked_distance(distance)
+    require_distance(distance)
+    require_whole(seed, "seed")
+    require_whole(budget, "budget")
     refuse_overlap(scene)
     enclosing = seal(scene)
     if enclosing:
         return none(scene, f"None: {enclosing.name} encloses the part", sealed=True)
-    progress(0.05)
-    contacts = Contacts.of(scene.part, scene.others, NEAR * scene.tolerance)
-    directions = candidates(scene.part, scene.others, contacts)
-    for leg in ways_out(scene, directions, START, distance):
-        path = proven(scene, (leg,), f"A straight way of {np.linalg.norm(leg.way):.3g} m")
+    progress(0.0)
+    return straight_out(scene, distance) or any_way_out(scene, distance, seed, budget, progress)
+
+
+def any_way_out(scene, distance, seed, budget, progress):
+    """The path of several legs that is found first, or what was tried."""
+    half = budget // 2
+    return by_motions(scene, distance, half, within(progress, 0.0, 0.5)) or by_chance(
+        scene, seed, budget - half, within(progress, 0.5, 1.0)
+    )
+
+
+def straight_out(scene, distance=None):
+    """The path of one straight leg, if there is one with a certificate."""
+    for leg in ways_out(scene, directions_of(scene), START, distance):
+        path = proven(scene, (leg,))
         if path:
             return path
-    return none(scene, f"None found: {len(directions)} straight ways are blocked")
+    return None
 
 
-def proven(scene, legs, said):
-    """The path of some legs, if there is a certificate for it: of the part as it is, or with the contact tolerance."""
-    tolerance, least = 0.0, scene.exact().certified(legs)
+def by_motions(scene, distance, budget, progress):
+    """The path of a few translations and screws, if one is found that has a certificate."""
+    for legs in chains(scene, distance, budget, progress):
+        path = proven(scene, legs)
+        if path:
+            return path
+    return None
+
+
+def by_chance(scene, seed, budget, progress):
+    """The path that random trees find, if there is a certificate for it, or what was tried."""
+    directions, first = directions_of(scene), scene.asked
+    while (left := budget - (scene.asked - first)) > 0:
+        done = 1 - left / budget
+        tries = min(left, AGAIN)
+        legs = grown(scene, directions, seed, tries, within(progress, done, done + tries / budget))
+        path = legs and proven(scene, shortened(scene, legs, seed))
+        if path:
+            return path
+        seed += 1
+    return none(scene, told_of(len(directions), scene.asked))
+
+
+def told_of(directions, poses):
+    """What was tried in vain, for people."""
+    tried = "chains of translations and screws and random motions led nowhere"
+    return f"None found: {directions} straight ways are blocked, and {tried}, of which {poses:,} poses were tried"
+
+
+def directions_of(scene):
+    """The directions in which the part may get out from where it stands."""
+    touching = Contacts.of(scene.part, scene.others, NEAR * scene.tolerance)
+    return candidates(scene.part, scene.others, touching)
+
+
+def proven(scene, legs):
+    """The path of some legs, or None: with a certificate of the part as it is, or with the contact tolerance."""
+    tolerance, least = 0.0, scene.exact.certified(legs)
     if least <= 0:
         tolerance, least = scene.tolerance, scene.certified(legs)
     if least <= 0:
-        return none(scene, said)
+        return None
     back = Pose(np.eye(3), scene.origin)
-    return RemovalPath(assembled(scene), tuple(leg.seen(back) for leg in legs), tolerance, least, said)
+    return RemovalPath(assembled(scene), tuple(leg.seen(back) for leg in legs), tolerance, least, described(legs))
+
+
+def described(legs):
+    """Legs in words."""
+    if len(legs) == 1 and not legs[0].turns:
+        return f"A straight way of {np.linalg.norm(legs[0].way):.3g} m"
+    return ", then ".join(map(in_words, legs)).capitalize()
+
+
+def in_words(leg):
+    """What happens on a leg."""
+    way, degrees = float(np.linalg.norm(leg.way)), np.degrees(leg.angle)
+    if not leg.turns:
+        return f"{way:.3g} m straight"
+    turned = f"{degrees / 360:.3g} turns" if degrees > 360 else f"{degrees:.3g} degrees"
+    return f"a turn of {turned}" + (f" with {way:.3g} m" if way else "")
 
 
 def none(scene, said, sealed=False):
@@ -106,9 +179,15 @@ def scene_of(part, others, tolerance):
     """The `Scene` of what was given, about the middle of the part, or a refusal."""
     part, others = taken(part, "part"), assembly(others, "others")
     require(others, "must have at least one", 0, "others")
-    tolerance = within_limits(tolerance, part.size)
     middle = part.middle
-    return Scene(part.about(middle), [other.about(middle) for other in others], tolerance, middle)
+    part = part.about(middle)
+    return scene_among(part, [part, *(other.about(middle) for other in others)], middle, tolerance)
+
+
+def scene_among(part, bodies, origin, tolerance):
+    """The `Scene` of one of some bodies that are seen from an origin (3,), the others around it."""
+    others = [body for body in bodies if body is not part]
+    return Scene(part, others, within_limits(tolerance, part.size), origin)
 
 
 def within_limits(tolerance, size):
@@ -122,8 +201,14 @@ def within_limits(tolerance, size):
     return float(tolerance)
 
 
-def checked_distance(distance):
+def require_distance(distance):
     """Refuse a distance that is no length."""
     number = isinstance(distance, Real) and not isinstance(distance, bool) and np.isfinite(distance)
     fits = distance is None or number and distance > 0
     require(fits, "must be a number of metres, more than 0", distance, "distance")
+
+
+def require_whole(value, key):
+    """Refuse what is no whole number from 0 on."""
+    whole = isinstance(value, Integral) and not isinstance(value, bool) and value >= 0
+    require(whole, "must be a whole number, 0 or more", value, key)

@@ -61,6 +61,11 @@ class Leg:
         """Whether anything turns."""
         return self.angle != 0.0
 
+    @property
+    def carried(self):
+        """Whether the axis is carried anywhere."""
+        return bool(self.way.any())
+
     def pose(self, part):
         """The `Pose` after a part of the leg, from 0 to 1, as seen from its beginning."""
         if not self.turns:

@@ -6,9 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..declared.frozen import individual
 from .certificate import clearance
-from .legs import poses
+from .legs import START, Leg, poses
 from .shrinking import drawn_in
 from .touching import Moving, Surroundings
 
@@ -17,7 +16,6 @@ CLEAR = 1e-3  # of the size of the part it is beyond what it was to get out of
 HALVINGS = 12  # by which the place where something blocks the way is closed in on
 
 
-@individual
 class Scene:
     """A part, drawn in by half the contact tolerance, and the bodies around it, all about one origin.
 
@@ -32,10 +30,10 @@ class Scene:
         Where that origin is in the space of the assembly.
     """
 
-    part: object
-    others: list
-    tolerance: float
-    origin: np.ndarray
+    def __init__(self, part, others, tolerance, origin):
+        self.part, self.others, self.tolerance, self.origin = part, others, tolerance, origin
+        self.asked = 0  # poses
+        self.proofs = {}  # the clearance on each leg that was looked at
 
     @cached_property
     def core(self):
@@ -57,6 +55,7 @@ class Scene:
 
     def blocked(self, pose):
         """Whether the part touches anything in a `Pose`."""
+        self.asked += 1
         return self.around.touched(self.moving.at(pose))
 
     def free_part(self, leg, pose):
@@ -82,15 +81,29 @@ class Scene:
         parts = samples(leg.speed(pose.of(self.core.vertices)) / self.part.size)
         return not any(self.blocked(leg.pose(part).after(pose)) for part in parts)
 
+    def run_into(self, directions):
+        """The names of those around that the part runs into first in directions (n, 3) from where it stands."""
+        found = set()
+        for direction, far in zip(directions, self.travels(directions, START), strict=True):
+            leg = Leg(far * direction)
+            for part in samples(far / self.part.size):
+                if self.blocked(leg.pose(part)):
+                    found |= self.around.touching(self.moving.at(leg.pose(part)))
+                    break
+        return tuple(other.name for number, other in enumerate(self.others) if number in found)
+
     def certified(self, legs):
         """How far the part is proven to stay from all around on some legs, in metres; 0 if it may touch something."""
         least = np.inf
         for leg, pose in zip(legs, poses(legs)[:-1], strict=True):
-            least = min(least, clearance(self.moving, self.around, leg, pose))
+            if leg not in self.proofs:  # chains share the legs that they begin with
+                self.proofs[leg] = clearance(self.moving, self.around, leg, pose)
+            least = min(least, self.proofs[leg])
             if least <= 0:
                 return 0.0
         return float(least)
 
+    @cached_property
     def exact(self):
         """The same scene with the part as it is."""
         return Scene(self.part, self.others, 0.0, self.origin)

@@ -11,6 +11,7 @@ import numpy as np
 from ..declared.parameters import ShapeError
 
 MISSING = "needs the library python-fcl, which is missing here: pip install python-fcl"
+FEW = 3  # bodies are asked one by one, in less time than it takes to call back from a tree of them
 
 
 def library():
@@ -41,12 +42,16 @@ class Surroundings:
 
     def __init__(self, bodies):
         self.fcl, self.bodies = library(), list(bodies)
+        self.standing = [self.fcl.CollisionObject(body.model) for body in self.bodies]
         self.manager = self.fcl.DynamicAABBTreeCollisionManager()
-        self.manager.registerObjects([self.fcl.CollisionObject(body.model) for body in self.bodies])
+        self.manager.registerObjects(self.standing)
         self.manager.setup()
 
     def touched(self, moving):
         """Whether something moving, an ``fcl.CollisionObject``, has a point in common with any of the surfaces."""
+        if len(self.standing) <= FEW:
+            asked, result = self.fcl.CollisionRequest(), self.fcl.CollisionResult()
+            return any(self.fcl.collide(standing, moving, asked, result) for standing in self.standing)
         data = self.fcl.CollisionData()
         self.manager.collide(moving, data, self.fcl.defaultCollisionCallback)
         return data.result.is_collision
@@ -60,9 +65,8 @@ class Surroundings:
     def touching(self, moving):
         """The numbers of the bodies whose surfaces something moving has a point in common with."""
         found = set()
-        for number, body in enumerate(self.bodies):
+        for number, standing in enumerate(self.standing):
             result = self.fcl.CollisionResult()
-            standing = self.fcl.CollisionObject(body.model)
             if self.fcl.collide(standing, moving, self.fcl.CollisionRequest(), result):
                 found.add(number)
         return found

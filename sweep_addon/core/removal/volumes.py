@@ -50,8 +50,7 @@ def swept_leg(body, leg, pose):
     # seen from the axis, which is z, a point of it the origin
     axes = about(leg.axis)
     seen, way = (vertices - leg.pivot) @ axes, leg.way @ axes
-    carried = float(norms(leg.way)) > 0
-    if carried:
+    if leg.carried:
         motion = RigidMotion(Line(end=tuple(way)), turn_z=f"{leg.angle!r}*t")
     else:  # no trajectory is a point: one that runs around the axis, and what is turned stands on it
         radius = max(float(norms(seen[:, :2]).max()), 1e-9)
