@@ -161,6 +161,19 @@ def test_the_height_of_a_part_is_that_of_its_highest_face():
     assert (height[np.abs(x) < 0.5 + 1e-12] == 0.2).all() and np.isneginf(height[np.abs(x) > 0.5001]).all()
 
 
+def test_a_part_that_is_inside_out_or_open_is_the_same_part():
+    block = sw.solids.Triangles.of(sw.solids.Block(0.04, 0.04, 0.008).mesh())
+    corners = block.vertices.values + (0, 0, -0.006)
+    outward = stock(RASTER).verify(sw.solids.Triangles(corners, block.faces))
+    inward = stock(RASTER).verify(sw.solids.Triangles(corners, block.faces.values[:, ::-1]))
+    top = block.faces.values[(corners[block.faces.values.astype(int), 2] > -0.003).all(axis=1)]
+    sheet = stock(RASTER).verify(sw.solids.Triangles(corners, top))
+    assert np.array_equal(outward.deviation, inward.deviation) and np.array_equal(outward.deviation, sheet.deviation)
+    assert (
+        len(top) == 2 and outward.correct and outward.excess == pytest.approx(0.012)
+    )  # all of the plate, beside the part
+
+
 @pytest.mark.parametrize(
     ("part", "sentence"),
     [

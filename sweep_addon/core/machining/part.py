@@ -44,13 +44,17 @@ def top_of(vertices, triangles, lattice, shift=(0.0, 0.0)):
 
 
 def seen_from_above(mesh):
-    """The triangles of a mesh that its highest points are on: of a closed one those that look up: (t, 3) int array."""
+    """The triangles of a mesh that its highest points are on: of a closed one those that look up: (t, 3) int array.
+
+    One that is inside out, as a mirrored object may be, is taken for what it bounds.
+    """
     triangles = mesh.triangles
     if len(mesh.boundary_edges()):
         return triangles
     x, y = np.moveaxis(mesh.vertices[triangles][:, :, :2], 2, 0)
     one, other = (np.stack((x[:, k] - x[:, 0], y[:, k] - y[:, 0])) for k in (1, 2))
-    return triangles[one[0] * other[1] > one[1] * other[0]]
+    upward = one[0] * other[1] - one[1] * other[0]
+    return triangles[upward > 0 if mesh.volume() > 0 else upward < 0]
 
 
 def boxes(corners, lattice):

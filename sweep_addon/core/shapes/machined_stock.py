@@ -8,7 +8,7 @@ from ..declared.parameters import declared, parameter
 from ..declared.program_text import Program
 from ..later import later
 from ..machining.stock import Around, Stock
-from ..machining.tools import BallNose, FlatEnd, Numbered, Tool
+from ..machining.tools import BallNose, Numbered, Tool
 from ..solids import Triangles
 from .operand import Operand
 
@@ -66,7 +66,7 @@ class MachinedStock(Operand):
     """
 
     program: Program = parameter(Program(TEXT), "The program: RS-274, or G-code, in the dialect of LinuxCNC")
-    tool: Tool = parameter(BallNose(), "The tool", others=(FlatEnd(),))
+    tool: Tool = parameter(BallNose(), "The tool")
     tools: tuple[Numbered, ...] = parameter((), "Tools that the program calls by T, of which others are the one above",
                                             most=100, group="Tools")  # fmt: skip
     stock: Stock = parameter(Around(), "The block before it is cut")
