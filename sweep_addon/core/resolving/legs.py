@@ -6,9 +6,12 @@ import numpy as np
 
 from ..declared.frozen import individual
 from ..later import later
-from ..meshes.booleans import body_of
+from ..meshes.booleans import body_of, united
+from ..meshes.polyhedron import polyhedron
 from ..vectors import dot
+from .tidying import tidied_arrays
 
+resolved = later("core.resolving.resolve", "resolved")  # which unites legs
 solid_of_rings = later("core.resolving.of_rings", "solid_of_rings")  # which takes sweeps apart itself
 
 OVERLAP = 4.0  # steps of single precision: how far a leg goes on beyond its mitre, so that it meets the next
@@ -66,6 +69,18 @@ def of_leg(rings, first, last, breaks):
     if end.cuts:
         parts.append(cut_off(places[high - 1 :], NONE, end, offsets))
     return parts
+
+
+def together(meshes, progress=None):
+    """What is in any of some legs, each of which may meet itself: a `Mesh`."""
+    meshes = list(meshes)
+    bodies = []
+    for number, mesh in enumerate(meshes, 1):
+        bodies.append(body_of(resolved(mesh)))
+        if progress:
+            progress(number / (len(meshes) + 1))
+    told = dict.fromkeys(sentence for mesh in meshes for sentence in mesh.told)
+    return polyhedron(*tidied_arrays(united(bodies)), told=tuple(told))
 
 
 @individual

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sweep of a planar figure: a grid of its points by the places where it stands."""
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -11,9 +12,11 @@ from ..contours.section import section_of
 from ..grids.chart import Chart, lengths_around
 from ..grids.drawn import affine, drawn
 from ..grids.grid import Grid
+from ..meshes.joining import joined
 from ..meshes.mesh import Mesh
 from ..rings import caps
 from ..trajectories.arc_length import arc_length
+from ..variation.legs import NOTCHED, ends_of
 from ..vectors import dot, norms, unit
 
 MOST = 257  # places in which it is looked at which way a contour that is deformed runs
@@ -34,12 +37,26 @@ class Planar:
 
     @cached_property
     def stood(self):
-        """The poses in which it stands, and whether it comes back to the first."""
+        """Of each leg the poses in which it stands, and whether it comes back to the first."""
         points = raised(self.section.points)
         return self.motion.standing(points, self.shape.samples, len(points))
 
+    @cached_property
+    def whole(self):
+        """The poses in which it stands, once at each corner, and whether it comes back to the first."""
+        points = raised(self.section.points)
+        return self.motion.stands(points, self.shape.samples, len(points))
+
     def mesh(self, dtype=np.float64):
-        poses, back = self.stood
+        return joined([replace(mesh, told=mesh.told + self.told) for mesh in self.legs(dtype)])
+
+    def legs(self, dtype=np.float64):
+        """The mesh of each leg."""
+        for (poses, back), ends in zip(self.stood, ends_of(self.shape, self.stood), strict=True):
+            yield self.leg(poses, back, ends, dtype)
+
+    def leg(self, poses, back, ends, dtype=np.float64):
+        """The mesh of the grid of its points by some poses."""
         section, across = self.section, (1, 1)
         if section.closed and self.runs_backward():
             section, across = section.mirrored, (-1, 1)  # the same points, the other way round
@@ -50,7 +67,7 @@ class Planar:
             creases=(),
             offsets=tuple(section.offsets.tolist()),
             sharp=tuple(np.flatnonzero(section.sharp).tolist()),
-            caps=caps.at_ends((section, section), (self.shape.start, self.shape.end), (back, back)),
+            caps=caps.at_ends((section, section), ends, (back, back)),
             gaps=tuple(section.gaps.tolist()),
         )
         around, flat = lengths_around(section, np.ones(2)), (section.points, section.points)
@@ -62,11 +79,13 @@ class Planar:
         else:
             rings = np.stack((poses.origin, *poses.matrix[..., :2].transpose(2, 0, 1)))
             vertices = drawn(grid, affine(section.points * across), rings, dtype)
-        return Mesh(vertices, grid.topology(), chart, poses.told + self.told)
+        return Mesh(vertices, grid.topology(), chart, poses.told)
 
     @property
     def told(self):
-        """A sentence where its area passes no space."""
+        """A sentence where its area passes no space, or nothing at corners."""
+        if len(self.stood) > 1:
+            return (NOTCHED,)
         flat = self.section.closed and np.abs(self.passed).sum() <= FLAT * self.section.size**3
         said = "Generator: it moves within its own plane, and sweeps no volume: turn it, or choose a frame."
         return (said,) if flat else ()
@@ -78,7 +97,7 @@ class Planar:
     @cached_property
     def passed(self):
         """Roughly the space that its area passes in each step, negative where its back is ahead: (n - 1,)."""
-        poses, _ = self.stood
+        poses, _ = self.whole
         some = poses.thinned(MOST) if self.motion.deforms else poses
         if self.motion.deforms:
             points = self.motion.posed(raised(self.section.points), some)
@@ -97,7 +116,7 @@ class Planar:
         list of (int, int)
             The first and the last place of each stretch of such steps.
         """
-        poses, back = self.stood
+        poses, back = self.whole
         if back:  # the last step leads to the first pose
             poses = poses.only(np.append(np.arange(len(poses.s)), 0))
         points = self.motion.posed(raised(self.section.points), poses)
@@ -116,8 +135,9 @@ class Planar:
         from ..self_intersection.lattice import Lattice
         from ..self_intersection.places import Place, Places
 
-        poses, _ = self.stood
-        mesh, domain = self.mesh(), self.motion.trajectory.domain
+        poses, _ = self.whole
+        mesh = self.leg(*self.whole, (self.shape.start, self.shape.end))
+        domain = self.motion.trajectory.domain
         places, folded, ends = [], [], np.append(poses.u, domain[1])
         for first, last in self.folds():
             a, b = (float(ends[which]) for which in (first, last))
@@ -134,8 +154,11 @@ class Planar:
 
     def solid(self, progress=None):
         """The boundary of all that the area visits: a `Mesh`."""
+        from ..resolving.legs import together
         from ..resolving.resolve import resolved
 
+        if len(self.stood) > 1:
+            return together(self.legs(), progress)
         return resolved(self.mesh(), progress, lambda: bool(self.self_intersections()))
 
     def outlines(self, poses):

@@ -10,10 +10,13 @@ from functools import cached_property
 import numpy as np
 
 from ..declared.parameters import require
+from ..meshes.booleans import union
+from ..meshes.joining import joined
 from ..meshes.polyhedron import polyhedron
 from ..offsets.any_field import AnyField
 from ..offsets.level_set import level_set
 from ..trajectories.arc_length import arc_length
+from ..variation.legs import legs, notched, on_leg
 from ..vectors import norms, unit
 from .planar import raised
 
@@ -48,18 +51,34 @@ class Changing:
         return bool(np.abs(last - first).max() <= SAME * np.abs(first).max())
 
     def mesh(self, dtype=np.float64):
-        field = (RoundTheWay if self.comes_back else OverTheWay)(self.region, self.total)
+        made = self.legs(dtype)
+        return made[0] if len(made) == 1 else notched(joined(made))
+
+    def legs(self, dtype=np.float64):
+        """The mesh of each leg."""
+        found = legs(self.motion, self.comes_back)
+        made = [self.leg(leg, dtype) for leg in (found if len(found) else [None])]
+        made = [mesh for mesh in made if mesh is not None]
+        require(made, "must be so many that a part of the region holds one", self.shape.cells, "cells")
+        return made
+
+    def leg(self, leg, dtype):
+        """The mesh of what it leaves on a leg, or on the whole way; None where nothing is large enough."""
+        round_ = self.comes_back and leg is None
+        field = RoundTheWay(self.region, self.total) if round_ else OverTheWay(self.region, self.total, leg)
         found = level_set(field, *field.box, max(self.region.size, self.total) / self.shape.cells)
-        require(found is not None, "must be so many that a part of the region holds one", self.shape.cells, "cells")
-        places = self.placed(field.over_the_way(found.vertices.places)).astype(dtype)
+        if found is None:
+            return None
+        places = self.placed(field.over_the_way(found.vertices.places), leg).astype(dtype)
         made = polyhedron(places, found.triangles)
         return made if made.volume() > 0 else polyhedron(places, found.triangles[:, ::-1])  # it ran backward
 
-    def placed(self, points):
+    def placed(self, points, leg):
         """Points of x, y and the way (n, 3) where the motion takes them: (n, 3)."""
-        s, which = np.unique(np.append(0.0, points[:, 2].clip(0.0, self.total)), return_inverse=True)
-        poses = self.motion.at(s).only(which.ravel()[1:])
-        return self.motion.each(raised(points[:, :2]), poses)
+        low, high = (0.0, self.total) if leg is None else leg
+        s, which = np.unique(np.append(low, points[:, 2].clip(low, high)), return_inverse=True)
+        poses = self.motion.at(s) if leg is None else on_leg(self.motion, leg, s)
+        return self.motion.each(raised(points[:, :2]), poses.only(which.ravel()[1:]))
 
     @property
     def is_solid(self):
@@ -67,8 +86,9 @@ class Changing:
         return self.shape.cells > QUICK
 
     def solid(self, progress=None):
-        """The mesh."""
-        return self.mesh()
+        """The mesh, that of several legs united."""
+        made = self.legs()
+        return made[0] if len(made) == 1 else notched(union(made))
 
     def self_intersections(self):
         from ..self_intersection.places import Places
@@ -88,12 +108,15 @@ class OverTheWay(AnyField):
     region : Region
     total : float
         The length of the way in metres.
+    leg : (2,) float array, optional
+        From where to where on it; what comes back may go on beyond its end.
     """
 
     stretch = 1.0  # how much farther the way leads at most where this is bent
 
-    def __init__(self, region, total):
+    def __init__(self, region, total, leg=None):
         self.region, self.total = region, total
+        self.low, self.high = (0.0, total) if leg is None else leg
         self.step = DIFFERENCE * max(region.size, total)
         side, way = np.linspace(-region.size / 2, region.size / 2, SLOPED), np.linspace(0.0, total, SLOPED)
         values = region.evaluate(*np.meshgrid(side, side, way / total, indexing="ij"))
@@ -103,7 +126,7 @@ class OverTheWay(AnyField):
     @property
     def box(self):
         half = self.region.size / 2
-        return (-half, -half, 0.0), (half, half, self.total)
+        return (-half, -half, self.low), (half, half, self.high)
 
     def over_the_way(self, points):
         """The x, y and way of points of this space, (n, 3)."""
@@ -112,7 +135,8 @@ class OverTheWay(AnyField):
     def formula(self, points):
         """The formula and how far points are beyond the ends: two (n,)."""
         x, y, s = points.T
-        return self.region.evaluate(x, y, np.clip(s / self.total, 0.0, 1.0)), np.maximum(-s, s - self.total)
+        t = np.clip(s, self.low, self.high) / self.total
+        return self.region.evaluate(x, y, np.where(t > 1, t - 1, t)), np.maximum(self.low - s, s - self.high)
 
     def evaluate(self, points, hints=None, reach=np.inf):
         inside, beyond = self.formula(points)
@@ -131,7 +155,7 @@ class OverTheWay(AnyField):
         inside = inside / np.maximum(size, self.steepest * FLAT)
         at_end = beyond >= inside
         ends = np.zeros_like(points)
-        ends[:, 2] = np.where(points[:, 2] > self.total / 2, 1.0, -1.0)
+        ends[:, 2] = np.where(points[:, 2] > (self.low + self.high) / 2, 1.0, -1.0)
         return (
             np.where(at_end, beyond, inside),
             np.where(at_end[:, None], ends, unit(slopes)),

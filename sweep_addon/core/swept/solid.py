@@ -12,6 +12,8 @@ from ..meshes.runs import backward
 from ..offsets.dual import TornError
 from ..offsets.level_set import level_set
 from ..trajectories.arc_length import arc_length
+from ..variation.legs import legs, on_leg
+from ..variation.motion import Poses
 from ..vectors import norms
 from .field import Field
 from .visited import Visited
@@ -78,24 +80,35 @@ class Solid:
 
     @cached_property
     def close(self):
-        """Poses from which to the next the solid moves a part of a cell, whether it comes back, and the cell's side."""
-        total, back = arc_length(self.motion.trajectory).total, self.motion.comes_back(self.some)
-        poses, count = self.evenly(FEWEST, total, back), FEWEST
+        """Poses from which to the next the solid moves a part of a cell, whether it comes back, and the cell's side.
+
+        At a corner where its frame turns it stands twice; then it does not come back on a way that leads there.
+        """
+        back = self.motion.comes_back(self.some)
+        on_legs = legs(self.motion, back)
+        back = back and not len(on_legs)
+        poses = self.evenly(FEWEST, on_legs, back)
         for _ in range(2):  # of few poses the way is told roughly
             places = self.motion.posed(self.some, poses)
             step = float(np.ptp(places, axis=(0, 1)).max()) / self.shape.cells
-            longest = norms(np.diff(places, axis=0)).max()
+            longest = norms(np.diff(places, axis=0))[np.diff(poses.s) != 0].max()
             most = MOST if self.shape.cells > QUICK else FEW
             count = int(np.clip(longest * (len(places) - 1) / (CLOSE * step), FEWEST, most)) + 1
-            poses = self.evenly(count, total, back)
+            poses = self.evenly(count, on_legs, back)
         sizes = np.abs(np.linalg.det(poses.matrix))
         kept = sizes > FLATTEST * sizes.max()  # in a pose without a size it visits nothing more
         require(kept.any(), "must not be 0 everywhere", 0.0, "scale_x")
         return poses if kept.all() else poses.only(kept), back, step
 
-    def evenly(self, count, total, back):
-        """Poses evenly spaced by arc length; one that comes back stands there once."""
-        return self.motion.at(np.linspace(0.0, total, count, endpoint=not back))
+    def evenly(self, count, on_legs, back):
+        """Poses evenly spaced by arc length, two at each corner between legs; one that comes back stands there once."""
+        total = arc_length(self.motion.trajectory).total
+        if not len(on_legs):
+            return self.motion.at(np.linspace(0.0, total, count, endpoint=not back))
+        counts = np.ceil(count * np.ptp(on_legs, axis=1) / total).astype(int) + 1
+        poses = [on_leg(self.motion, leg, np.linspace(*leg, some)) for leg, some in zip(on_legs, counts, strict=True)]
+        together = (np.concatenate(part) for part in zip(*(some[:-1] for some in poses), strict=True))
+        return Poses(*together, poses[0].told)
 
     def self_intersections(self):
         from ..self_intersection.places import Places

@@ -8,9 +8,12 @@ import numpy as np
 
 from ..declared.parameters import ShapeError, require
 from ..grids.grid import Grid
+from ..meshes.booleans import union
+from ..meshes.joining import joined
 from ..meshes.polyhedron import polyhedron
 from ..meshes.runs import backward
 from ..rings.ends import Flat
+from ..variation.legs import ends_of, notched
 
 
 class Surface:
@@ -30,7 +33,7 @@ class Surface:
 
     @cached_property
     def stood(self):
-        """The poses in which it stands, and whether it comes back to the first."""
+        """Of each leg the poses in which it stands, and whether it comes back to the first."""
         points = self.generator.vertices
         return self.motion.standing(points, self.shape.samples, len(self.boundary[0]), 2 * len(points))
 
@@ -52,9 +55,19 @@ class Surface:
         return np.concatenate(loops), np.cumsum([0, *map(len, loops)])
 
     def mesh(self, dtype=np.float64):
-        made = self.drawn(*self.boundary, self.generator.corners, dtype)
+        made = self.legs(dtype)
+        return made[0] if len(made) == 1 else notched(joined(made))
+
+    def legs(self, dtype=np.float64):
+        """The mesh of each leg."""
+        ends = ends_of(self.shape, self.stood)
+        return [self.leg(*stood, closing, dtype) for stood, closing in zip(self.stood, ends, strict=True)]
+
+    def leg(self, poses, back, ends, dtype):
+        """The mesh of what it leaves by some poses."""
+        made = self.drawn(poses, back, ends, *self.boundary, self.generator.corners, dtype)
         if not len(made.boundary_edges()) and made.volume() < 0:
-            return self.drawn(*self.turned_over, dtype)
+            return self.drawn(poses, back, ends, *self.turned_over, dtype)
         return made
 
     @property
@@ -63,14 +76,13 @@ class Surface:
         (vertices, loops), offsets = self.boundary, self.generator.offsets
         return vertices[backward(loops)], loops, self.generator.corners[backward(offsets)]
 
-    def drawn(self, vertices, loops, corners, dtype):
+    def drawn(self, poses, back, ends, vertices, loops, corners, dtype):
         """The mesh of a surface with that boundary and those corners of its faces."""
-        poses, back = self.stood
         columns = len(vertices)
         grid = Grid(len(poses.s), (), back, (), tuple(loops.tolist()), (), (None, None)).topology()
         sides = self.motion.posed(self.generator.vertices[vertices], poses).swapaxes(0, 1).reshape(-1, 3)
         parts, faces, sizes = [sides], [grid.corners], [np.diff(grid.offsets)]
-        for station, end, run in ((0, self.shape.start, backward(self.generator.offsets)), (-1, self.shape.end, None)):
+        for station, end, run in ((0, ends[0], backward(self.generator.offsets)), (-1, ends[1], None)):
             if back or not isinstance(end, Flat):
                 continue
             number = np.full(len(self.generator.vertices), -1)
@@ -85,8 +97,11 @@ class Surface:
         return polyhedron(np.concatenate(parts).astype(dtype), np.concatenate(faces), offsets, material, poses.told)
 
     def solid(self, progress=None):
-        """The mesh."""
-        return self.mesh()
+        """The mesh, that of several legs united."""
+        made = self.legs()
+        if len(made) == 1 or len(made[0].boundary_edges()):
+            return self.mesh()
+        return notched(union(made))
 
     def self_intersections(self):
         from ..self_intersection.places import Places

@@ -43,6 +43,8 @@ class Visited(AnyField):
 
     def __init__(self, field, motion, poses, closed):
         self.field, self.motion, self.poses, self.closed = field, motion, poses, closed
+        leg = np.cumsum(np.diff(poses.s, prepend=-1.0) == 0)  # where it stands twice it turns, and passes over nothing
+        self.first, self.last = np.searchsorted(leg, leg), np.searchsorted(leg, leg, side="right") - 1
         self.told = None  # is told of the points that are asked for
         self.inverses = np.linalg.inv(poses.matrix)
         self.scales = 1 / np.linalg.norm(self.inverses, 2, axis=(1, 2))  # the least that a length becomes
@@ -148,8 +150,8 @@ class Visited(AnyField):
         time = pose.astype(float)
         least = self.rough(points, time)
         for width in WIDTHS:
-            before, after = (self.rough(points, self.held(time + side)) for side in (-width, width))
-            moved = self.held(time + width * least_of(before, least, after, FLAT * self.field.step))
+            before, after = (self.rough(points, self.held(time, side)) for side in (-width, width))
+            moved = self.held(time, width * least_of(before, least, after, FLAT * self.field.step))
             there = self.rough(points, moved)
             time, least = np.where(there < least, moved, time), np.minimum(there, least)
         return least, time
@@ -158,15 +160,18 @@ class Visited(AnyField):
         """Times near some at which the exact distance is least, by parabolas."""
         here, feet = self.distances(points, times)
         for width in EXACTLY:
-            before, after = (self.distances(points, self.held(times + side), feet)[0] for side in (-width, width))
-            moved = self.held(times + width * least_of(before, here, after, FLAT * self.field.step))
+            before, after = (self.distances(points, self.held(times, side), feet)[0] for side in (-width, width))
+            moved = self.held(times, width * least_of(before, here, after, FLAT * self.field.step))
             there, feet = self.distances(points, moved, feet)
             times, here = np.where(there < here, moved, times), np.minimum(there, here)
         return times
 
-    def held(self, time):
-        """Times within the motion."""
-        return time % len(self.scales) if self.closed else np.clip(time, 0, len(self.scales) - 1)
+    def held(self, time, step):
+        """Times that are so much later, and still on their leg of the motion."""
+        if self.closed:
+            return (time + step) % len(self.scales)
+        pose = time.astype(int)
+        return np.clip(time + step, self.first[pose], self.last[pose])
 
     def between(self, time):
         """A function of values in all poses, (n, ...), that gives those at times, (k,): between the poses beside."""

@@ -21,6 +21,7 @@ from ..stations.sampling import place, stations
 from ..trajectories.arc_length import arc_length
 from ..vectors import norms
 from .laws import Constant, Law
+from .legs import between, legs, on_leg
 
 FOLLOWED = 32  # points of the generator whose ways say how closely it stands
 ROUNDS = 5  # of Newton's method
@@ -180,7 +181,7 @@ class Motion:
         return bool(back <= 100 * SAME * max(norms(near[2] - near[0]).max(), total))
 
     def standing(self, points, samples, vertices, ends=0):
-        """The poses in which a generator stands, and whether it comes back to the first.
+        """The poses in which a generator stands on each leg, and whether it comes back to the first.
 
         Parameters
         ----------
@@ -192,9 +193,19 @@ class Motion:
 
         Returns
         -------
-        Poses, bool
-            Where a closed trajectory does not bring it back, it ends in a pose of its own.
+        list of (Poses, bool)
+            Where a closed trajectory does not bring it back, it ends in a pose of its own. Where its frame turns at
+            corners each leg is by itself.
         """
+        found = legs(self, self.comes_back(points))
+        if not len(found):
+            return [self.stands(points, samples, vertices, ends)]
+        placed = self.stations(points, samples)
+        require_few(len(placed.s) * vertices + ends, "samples")
+        return [(on_leg(self, leg, between(placed, leg)), False) for leg in found]
+
+    def stands(self, points, samples, vertices, ends=0):
+        """The same as if it had one leg: poses, and whether it comes back."""
         placed = self.stations(points, samples)
         require_few(len(placed.s) * vertices + ends, "samples")
         back = self.comes_back(points)
