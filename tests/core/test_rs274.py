@@ -9,7 +9,7 @@ import pytest
 import rs274_oracle as oracle
 
 import sweep_addon as sw
-from sweep_addon.core.machining.programs import reading
+from sweep_addon.core.machining.programs import plain, reading
 
 REFUSED_HERE = {  # by what the refusal says, of programs that LinuxCNC runs, or runs farther
     "cutter radius compensation": {
@@ -141,17 +141,22 @@ def test_moves_from_an_unknown_place_are_told_from_the_others():
     assert sw.machining.read("G0 X1").first == 1
 
 
-def test_plain_lines_read_at_once_are_those_read_one_by_one():
-    """A blank after the number of its code keeps a line from being plain for nobody; an expression does."""
+def test_plain_lines_read_at_once_are_those_read_one_by_one(monkeypatch):
+    """In a work offset that is turned, by places and by steps, with comments behind some."""
     random = np.random.default_rng(3)
     lines = ["G10 L2 P1 X3 Y4 R30", "G0 X0 Y0 Z5", "G92 X1", "G1 F100 X1"]
     for number in random.uniform(-9, 9, (60, 3)).round(3):
         words = [f"{letter}{n}" for letter, n in zip("XYZ", number, strict=True) if random.random() < 0.7] or ["X1"]
-        lines.append("".join([random.choice(["", "G0", "G01", "g1"]), *words, random.choice(["", "F7", " f 8.5"])]))
-    plain = sw.machining.read("\n".join([*lines, "G91", *lines[4:]]))
-    slow = sw.machining.read("\n".join([*(line + "(aside)" for line in [*lines, "G91", *lines[4:]])]))
-    assert np.allclose(plain.points, slow.points, atol=1e-15)
-    assert [getattr(plain, name).tolist() for name in ("kinds", "lines", "tools")] == [
+        lines.append(
+            "".join([random.choice(["", "G0", "G01", "g1"]), *words, random.choice(["", "F7", " f8.5 (aside)", ";F"])])
+        )
+    text = "\n".join([*lines, "G91", *lines[4:]])
+    assert plain.LINE.match(lines[5]) and sum(bool(plain.LINE.match(line)) for line in lines) > 50
+    quick = sw.machining.read(text)
+    monkeypatch.setattr(plain, "FEWEST", np.inf)
+    slow = sw.machining.read(text)
+    assert np.allclose(quick.points, slow.points, atol=1e-15)
+    assert [getattr(quick, name).tolist() for name in ("kinds", "lines", "tools")] == [
         getattr(slow, name).tolist() for name in ("kinds", "lines", "tools")
     ]
 

@@ -13,7 +13,8 @@ from .machine import turned, within
 NUMBER = r"([-+]?(?:\d+\.?\d*|\.\d+))[ \t]*"
 LINE = re.compile(
     rf"[ \t]*(?:[Nn]\d+[ \t]*)?(?:[Gg]0*([01])(?![\d.])[ \t]*)?"
-    rf"(?=[XYZxyz])(?:[Xx]{NUMBER})?(?:[Yy]{NUMBER})?(?:[Zz]{NUMBER})?(?:[Ff]{NUMBER})?\r?$"
+    rf"(?=[XYZxyz])(?:[Xx]{NUMBER})?(?:[Yy]{NUMBER})?(?:[Zz]{NUMBER})?(?:[Ff]{NUMBER})?"
+    r"(?:\([^()]*\)[ \t]*|;.*)?\r?$"
 )
 FEWEST = 4  # lines, for which arrays are faster than one after the other
 
