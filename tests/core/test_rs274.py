@@ -183,6 +183,7 @@ def test_plain_lines_read_at_once_are_those_read_one_by_one(monkeypatch):
         ("G0 X[sqrt[-1]]", "line 1 calculates sqrt[-1], which has no value"),
         ("G0 X[[0 - 8] ** 0.5]", "line 1 calculates -8 ** 0.5, which has no value"),
         ("G0 X[10**10]", "line 1 moves to 1e+07 m, farther than any machine"),
+        ("G1 F9 X1\nX2\nX3\nX4\nX-2000000000\nX6", "line 5 moves to -2e+06 m, farther than any machine"),
         ("o<x> call", "line 1 calls subroutine o<x>, which the text does not have"),
         ("o1 while [1]", "line 1 begins while, which does not end: endwhile"),
         ("o1 endif", "line 1 has endif of a label that nothing was begun with"),

@@ -23,4 +23,4 @@ def at_line(line):
     except ProgramError:
         raise
     except ShapeError as error:
-        raise ProgramError(error.sentence, line + 1) from error.__cause__
+        raise ProgramError(error.sentence, int(line) + 1) from error.__cause__

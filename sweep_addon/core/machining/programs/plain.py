@@ -47,11 +47,14 @@ def move_along(machine, found, start):
     paces = latest(feeds, machine.feed)
     wrong = (kinds == 1) & (paces[moving] <= 0)
     if wrong.any():
-        with at_line(start + int(moving[np.argmax(wrong)])):
+        with at_line(start + moving[np.argmax(wrong)]):
             raise ShapeError("moves at a feed before there is one: F")
     table = np.column_stack([followed(machine, axis, here) for axis, here in zip(places, machine.place, strict=True)])
     place = as_machine(machine, table[moving])
-    within(np.abs(place).max(initial=0.0))
+    far = np.abs(place).max(axis=1, initial=0.0)
+    if len(far):
+        with at_line(start + moving[np.argmax(far)]):
+            within(place.ravel()[np.argmax(np.abs(place))])
     rows = np.empty((len(moving), 6))
     rows[:, :3], rows[:, 3], rows[:, 4], rows[:, 5] = place, kinds, start + 1 + moving, machine.tool
     machine.moved.add_run(rows)

@@ -72,14 +72,12 @@ class Run:
         while self.next is not None and self.next < len(self.lines):
             line = self.next
             found = plain.run_of(self.machine, self.lines, line)
-            if found:
-                plain.move_along(self.machine, found, line)
-                self.next = line + len(found)
-            else:
-                self.next = line + 1
-                with at_line(line):
-                    self.obey(line)
+            self.next = line + max(1, len(found))
             with at_line(line):
+                if found:
+                    plain.move_along(self.machine, found, line)
+                else:
+                    self.obey(line)
                 self.bound(line, max(1, len(found)))
 
     def bound(self, line, count):
