@@ -3,6 +3,7 @@
 """Text becomes the outline of its glyphs, with their holes, at their places."""
 
 import gc
+import logging
 import sys
 import warnings
 from contextlib import suppress
@@ -153,6 +154,18 @@ def test_a_font_of_web_pages_is_refused_where_nothing_unpacks_it(tmp_path, monke
     with pytest.raises(ShapeError, match=r"font.woff2 must be a .ttf or .otf file, not compressed, got 'WOFF2'$"):
         from_text("A", pages)
     assert not capfd.readouterr().err
+
+
+def test_a_font_with_an_odd_date_is_read_without_a_word(tmp_path, monkeypatch, capsys):
+    """Many fonts have one, of which the library tells; what is no result and no refusal stays off the error stream."""
+    from fontTools.ttLib import TTFont
+
+    odd = TTFont(FONT)
+    odd["head"].created = 1  # in the year 1904
+    odd.save(tmp_path / "odd.ttf")
+    monkeypatch.setattr(logging.getLogger("fontTools"), "propagate", False)  # to where the tests collect it
+    assert len(from_text("B", tmp_path / "odd.ttf").loops) == 3
+    assert not capsys.readouterr().err
 
 
 def test_a_missing_glyph_is_named():

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contours from text: the glyphs of a font file, side by side."""
 
+import logging
+from contextlib import contextmanager
 from importlib.util import find_spec
 from io import BytesIO
 from pathlib import Path
@@ -56,11 +58,22 @@ def from_text(text, font_path, size=1.0, tolerance=0.0, centred=True):
     require(text.strip(), "must have a visible character", text, "text")
     require(len(text) <= LONGEST, f"must have at most {LONGEST} characters", len(text), "text")
     require(isinstance(font_path, (str, Path)), "must be the path of a font's file", font_path, "font_path")
-    with about(f"the font {font_path}"):
+    with about(f"the font {font_path}"), unheard("fontTools"):
         paths = placed_glyphs(text, opened(font_path))
         require(paths, "must draw something for the text", text)
         scaled = [size * path for path in paths]
         return outline(scaled, np.zeros(len(paths), dtype=int), [False], tolerance, centred)
+
+
+@contextmanager
+def unheard(library):
+    """What a library logs, of dates in a font say, is for those who ask: else Python writes it on the error stream."""
+    log, nobody = logging.getLogger(library), logging.NullHandler()
+    log.addHandler(nobody)
+    try:
+        yield
+    finally:
+        log.removeHandler(nobody)
 
 
 def opened(font_path):
