@@ -99,7 +99,7 @@ CHAIN = "".join(f'<use id="a{i + 1}" href="#a{i}"/>' for i in range(3000))
         (svg("<text>hello</text>"), "the SVG text must fill at least one path, got none"),
         (svg('<path d="M0 0h1v1" fill="none"/>'), "the SVG text must fill at least one path, got only unfilled ones"),
         (svg('<path d="M0 0h9"/>'), "the SVG text must fill an area, got 0"),
-        (svg('<path d="M0 0h1e999v1z"/>'), "the SVG text must have finite numbers"),
+        (svg('<path d="M0 0h1e999v1z"/>'), "the SVG text must have finite numbers up to 1e+12 in size, got "),
         (svg('<path d="hello"/>'), "the SVG text must have path data that can be understood, got 'hello'"),
         (
             svg('<path d="M0 0h1v1z"/><path d="hello world"/>'),

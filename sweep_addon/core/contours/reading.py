@@ -44,7 +44,8 @@ def outline(paths, figure, even_odd, tolerance, centred):
     """
     tolerance, centred = argument("tolerance", tolerance, minimum=0.0), argument("centred", centred, bool)
     control = np.concatenate(paths)
-    require((np.abs(control) <= LARGEST).all(), "must have finite numbers", float(np.abs(control).max()))
+    largest = float(np.abs(control).max())
+    require(largest <= LARGEST, f"must have finite numbers up to {LARGEST:g} in size", largest)
     size = float(np.hypot(*np.ptp(control[:, 0], axis=0)))
     points, first = flatten_cubics(control, tolerance or max(size, 1e-300) / 1000)
     begins = np.cumsum([0, *(len(path) for path in paths)])[:-1]
