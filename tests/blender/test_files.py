@@ -7,7 +7,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import curve, extent, parameters_of, places, select, square, straight, sweep
+from scenes import cube, curve, extent, parameters_of, places, select, square, straight, sweep, text
 from write_format import DATA, SHAPE
 
 import sweep_addon as sw
@@ -223,6 +223,25 @@ def test_weights_of_a_curve_survive_a_file(scene, tmp_path):
     ob.data.sweep.made = ""  # so that it is made again
     parameters_of(ob).contour_circle_points = parameters_of(ob).contour_circle_points
     assert ob.data.sweep.made and np.array_equal(places(ob.data), before)
+
+
+@pytest.mark.parametrize(
+    ("key", "name", "sentence"),
+    [
+        ("trajectory", "two", "must be a curve of one spline, and of more each in an object of its own, got 2"),
+        ("trajectory", "letters", "must be a curve object, got 'text'"),
+        ("contour", "cube", "must be a curve or text object, got 'mesh'"),
+    ],
+)
+def test_a_job_refuses_an_object_that_it_cannot_take_whole(scene, tmp_path, key, name, sentence):
+    """Of two splines the second had been left out."""
+    made = {curve("POLY", [(0, 0, 0), (0, 0, 2)], [(5, 0, 0), (5, 0, 2)], name="two"), text("B", "letters"), cube()}
+    bpy.data.libraries.write(str(tmp_path / "inputs.blend"), made)
+    job = tmp_path / "job.toml"
+    job.write_text(f"kind = 'generalized-cylinder'\n{key} = {{ file = 'inputs.blend', object = '{name}' }}")
+    with pytest.raises(sw.ShapeError) as refusal:
+        sw.load(job)
+    assert str(refusal.value) == f"{job}:2: {key}.object: {sentence}"
 
 
 def test_a_job_says_the_corners_of_a_curve_in_a_file(scene, tmp_path):
