@@ -16,6 +16,7 @@ from . import (
     edit_as_curve,
     grammar,
     list_items,
+    removal,
     selected,
     self_intersections,
     trees,
@@ -41,5 +42,6 @@ register, unregister = register_classes_factory(
         *trees.OPERATORS,
         convert_to_csg.OBJECT_OT_sweep_convert_to_csg,
         classify.OBJECT_OT_sweep_classify,
+        removal.OBJECT_OT_sweep_find_removal_path,
     )
 )

@@ -32,6 +32,7 @@ class VIEW3D_PT_sweep_csg(Panel):
             row = layout.row(align=True)
             for operator in OPERATORS:
                 row.operator(operator.bl_idname)
+            layout.operator("object.sweep_find_removal_path")
         if trees.is_tree(ob):
             from .csg_tree import draw_tree  # most scenes have none
 

@@ -13,7 +13,7 @@ import sys
 from ..core.declared.hints import meant
 from ..core.declared.parameters import ShapeError, shown
 from ..core.version import version
-from . import grammar, verbs
+from . import grammar, removing, verbs
 from .export import MODELS, PICTURES, silent
 
 DONE, FAILED, REFUSED = 0, 1, 2
@@ -34,6 +34,14 @@ def whole(text):
         return int(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f"must be a whole number, got {shown(text)}") from None
+
+
+def number(text):
+    """The number that a text is."""
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"must be a number, got {shown(text)}") from None
 
 
 def parser():
@@ -67,6 +75,14 @@ def parser():
     verify.add_argument("jobs", metavar="JOB", nargs="+", help="a job file (.toml) of machined stock")
     verify.add_argument("--part", metavar="PART", help="a job file of the desired part, instead of what the jobs say")
     verify.set_defaults(act=verbs.verify)
+
+    remove = commands.add_parser("remove", help="find how a part gets out of an assembly",
+                                 description=removing.remove.__doc__)  # fmt: skip
+    remove.add_argument("part", metavar="PART", help="a job file (.toml) of the part")
+    remove.add_argument("others", metavar="OTHER", nargs="+", help="job files of what stays where it is")
+    remove.add_argument("--tolerance", metavar="T", type=number, help="the contact tolerance in metres")
+    remove.add_argument("--seed", metavar="S", type=whole, default=0, help="of the random motions that are tried last")
+    remove.set_defaults(act=removing.remove)
 
     derive = commands.add_parser("derive", help="print the word of a grammar", description=grammar.derive.__doc__)
     derive.add_argument("grammar", metavar="FILE", help="a text with an axiom and productions; - for standard input")

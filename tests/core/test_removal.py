@@ -66,6 +66,12 @@ def test_a_part_in_a_closed_shell_is_proven_to_stay():
     assert str(path) == "None: shell encloses the part"
 
 
+def test_a_shell_stays_around_what_is_in_it():
+    kernel, others = shelled()
+    path = sw.removal_path(others["shell"], {"kernel": kernel})
+    assert path.sealed and str(path) == "None: the part encloses kernel"
+
+
 def test_a_part_inside_another_without_touching_its_surface_is_refused():
     with pytest.raises(sw.ShapeError, match=r"^block: overlaps the part by 0.\d+ m as it stands"):
         sw.removal_path(Ball(0.1), {"block": Block()})

@@ -79,9 +79,9 @@ def removal_path(part, others, tolerance=None, distance=None, seed=0, budget=BUD
     require_whole(seed, "seed")
     require_whole(budget, "budget")
     refuse_overlap(scene)
-    enclosing = seal(scene)
-    if enclosing:
-        return none(scene, f"None: {enclosing.name} encloses the part", sealed=True)
+    why = seal(scene)
+    if why:
+        return none(scene, f"None: {why}", sealed=True)
     progress(0.0)
     return straight_out(scene, distance) or any_way_out(scene, distance, seed, budget, progress)
 

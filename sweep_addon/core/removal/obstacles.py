@@ -23,9 +23,10 @@ def refuse_overlap(scene):
 
 
 def deepest(body, other):
-    """How deep places of a body's surface are in another one at most, in metres."""
-    places = np.concatenate((body.vertices, sampled(body)[0]))
-    return float(other.depths(places).max())
+    """How deep places of a body's surface are in another one at most, or its middle in both, in metres."""
+    places, middle = np.concatenate((body.vertices, sampled(body)[0])), body.middle[None]
+    amid = min(float(body.depths(middle)[0]), float(other.depths(middle)[0]))  # surfaces may lie on each other
+    return max(float(other.depths(places).max()), amid)
 
 
 def contains(body, other):
@@ -35,13 +36,19 @@ def contains(body, other):
 
 
 def seal(scene):
-    """The body of which a surface encloses the part, which then never leaves; None where none does.
+    """Why the part never gets out, for people, where a closed surface parts it from outside; None where none does.
 
-    A surface that is closed and connected parts space in two, and the part would have to cross it.
+    A surface that is closed and connected parts space in two, and one of both would have to cross it.
     """
-    place = scene.core.vertices[:1]
     for other in scene.others:
-        shells = np.unique(other.shells)
-        if any(other.shell(first).depths(place)[0] > 0 for first in shells.tolist()):
-            return other
+        if encloses(other, scene.core):
+            return f"{other.name} encloses the part"
+        if encloses(scene.core, other):
+            return f"the part encloses {other.name}"
     return None
+
+
+def encloses(body, other):
+    """Whether a surface of a body lies around another one, none of whose surfaces it crosses."""
+    place, shells = other.vertices[:1], np.unique(body.shells)
+    return any(body.shell(first).depths(place)[0] > 0 for first in shells.tolist())

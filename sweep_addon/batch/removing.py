@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verb of the command line that finds how a part gets out of an assembly."""
+
+from pathlib import Path
+
+from ..core.later import later
+from . import verbs
+
+removal_path = later("core.removal", "removal_path")
+
+
+def remove(told):
+    """Say on which path the shape of a job gets out from among those of other jobs, or that none was found: then it
+    ends with 1."""
+    part = verbs.read(told.part).shape
+    others = {Path(path).stem: verbs.read(path).shape for path in told.others}
+    path = removal_path(part, others, tolerance=told.tolerance, seed=told.seed)
+    verbs.say(f"{told.part}: {path}")
+    if not path:
+        return 1
+    held = f"{path.tolerance:.3g} m deep in others at most" if path.tolerance else f"{path.clearance:.3g} m clear"
+    verbs.say(f"{told.part}: {held}, certified")
+    return 0

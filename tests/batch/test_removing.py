@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verb remove: its answer on standard output, and 0, 1 or 2."""
+
+import pytest
+
+import sweep_addon as sw
+from sweep_addon.batch.command import main
+
+pytest.importorskip("fcl", reason="removal paths are asked of python-fcl")
+
+SQUARE = sw.contours.Rectangle(0.4, 0.4)
+
+
+@pytest.fixture
+def jobs(tmp_path):
+    """Job files of a plug, of a plate in whose hole it stands, and of a closed box around that hole."""
+    frame = sw.contours.Outline(
+        [[(-1, -1), (1, -1), (1, 1), (-1, 1)], [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)]]
+    )
+    shapes = {
+        "plug": sw.TranslationalSweep(SQUARE, height=0.2),
+        "plate": sw.TranslationalSweep(frame, height=0.2),
+        "shell": sw.solids.Ball(3.0) - sw.solids.Ball(2.5),
+        "sheet": sw.TranslationalSweep(SQUARE, height=0.2, start="open"),
+    }
+    for name, shape in shapes.items():
+        (tmp_path / f"{name}.toml").write_text(sw.dump(shape))
+    return {name: str(tmp_path / f"{name}.toml") for name in shapes}
+
+
+def test_a_path_is_told_with_its_certificate(jobs, capsys):
+    assert main(["remove", jobs["plug"], jobs["plate"]]) == 0
+    first, second = capsys.readouterr().out.splitlines()
+    assert first == f"{jobs['plug']}: A straight way of 0.201 m"
+    assert second.endswith("m deep in others at most, certified")
+
+
+def test_where_there_is_none_it_ends_with_1(jobs, capsys):
+    assert main(["remove", jobs["plug"], jobs["plate"], jobs["shell"]]) == 1
+    assert capsys.readouterr().out == f"{jobs['plug']}: None: shell encloses the part\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["sheet", "plate"], "part: "),
+        (["plug", "plug"], "plug: overlaps the part by"),
+        (["plug", "plate", "--tolerance", "-1"], "tolerance: must be a number of metres, more than 0, got -1"),
+        (["plug", "plate", "--tolerance", "some"], "must be a number, got"),
+    ],
+)
+def test_wrong_input_ends_with_2_and_a_sentence(jobs, capsys, arguments, said):
+    assert main(["remove", *(jobs.get(word, word) for word in arguments)]) == 2
+    told = capsys.readouterr()
+    assert said in told.err and told.err.count("\n") == 1 and told.out == ""
