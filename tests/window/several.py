@@ -10,9 +10,9 @@ import bpy
 import numpy as np
 from _window import run
 
-CONTOUR, RADIUS = (0.55, 209), (0.55, 230)  # read off a picture
+CONTOUR, RADIUS = (0.55, 235), (0.55, 256)  # read off a picture
 RECTANGLE = 70  # pixels from the contour's field down to the third line of its list
-COPY_TO_SELECTED = (0.1, 378)
+COPY_TO_SELECTED = (0.1, 404)
 RADII = (0.1, 0.2, 0.3)
 
 
