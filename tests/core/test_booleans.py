@@ -8,9 +8,13 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.contours import Circle, Rectangle, Star
+from sweep_addon.core.csg import SweptSolid
 from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.meshes.booleans import body_of, combined, hull_body, mesh_of, union, united
+from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
+from sweep_addon.core.solids import Block
+from sweep_addon.core.trajectories import Line
 
 needs_manifold3d = pytest.mark.usefixtures("manifold3d")
 
@@ -26,6 +30,16 @@ def block(width, depth, height=1.0):
 
 def closed(mesh):
     return not len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
+
+
+@needs_manifold3d
+@pytest.mark.parametrize("turns", [-3, 1, 3])
+def test_a_twisted_bar_is_as_thick_in_a_tree_as_by_itself(turns):
+    """A turn about its axis keeps its area: chords across h radians lack h^2 / 6 of it, and h is at most a quarter."""
+    bar = GeneralizedCylinder(Rectangle(0.2, 0.2), Line(), twist=f"{turns}*2*pi*t")
+    for operand in ((bar & Block(3.0, 3.0, 3.0)).mesh(), SweptSolid(bar).sweep().generator.mesh()):
+        assert 0.2 * 0.2 * (1 - 0.25**2 / 6) <= operand.volume() <= 0.2 * 0.2
+        assert closed(operand)
 
 
 @needs_manifold3d

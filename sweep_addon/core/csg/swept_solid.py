@@ -9,6 +9,7 @@ from ..solids import Block
 from ..trajectories import Trajectory
 from .rigid import RigidMotion
 
+bent_facets = later("core.meshes.facets", "bent_facets")
 closed_mesh = later("core.csg.meshes", "closed_mesh")
 GeneralSweep = later("core.shapes.general_sweep", "GeneralSweep")
 Triangles = later("core.solids", "Triangles")
@@ -50,7 +51,7 @@ class SweptSolid(Operand):
         """The same as a `GeneralSweep` of the solid's mesh, or of a generator that stands for that."""
         rigid = self.rigid
         turns = {f"turn_{axis}": getattr(rigid, f"turn_{axis}") for axis in "xyz"}
-        generator = generator or Triangles.of(closed_mesh(self.solid))
+        generator = generator or Triangles(*bent_facets(closed_mesh(self.solid)))
         return GeneralSweep(generator, rigid.trajectory, cells=self.cells, frame=rigid.frame, **turns)
 
     @property

@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 
 from ..declared.parameters import ShapeError, require
-from .facets import facets
+from .facets import bent_facets
 from .polyhedron import polyhedron
 
 MISSING = "needs the library manifold3d, which is missing here: pip install manifold3d"
@@ -73,8 +73,7 @@ def body(vertices, triangles, faces=None):
 
 def body_of(mesh):
     """The body of a `Mesh`."""
-    triangles, _ = facets(mesh)
-    return body(mesh.vertices, triangles)
+    return body(*bent_facets(mesh))
 
 
 def hull_body(points):
