@@ -9,7 +9,6 @@ from pathlib import Path
 from ..core import contours, solids, trajectories
 from ..core.csg.known import known
 from ..core.declared.description import table_schema
-from ..core.declared.grammar_text import Grammar
 from ..core.declared.hints import unmistakable
 from ..core.declared.parameters import (
     ShapeError,
@@ -23,8 +22,8 @@ from ..core.declared.parameters import (
     shown,
     spelled,
 )
-from ..core.declared.program_text import Program
 from ..core.declared.refusals import MOST
+from ..core.declared.texts import Grammar, Program
 from ..core.rings.corners import Corner, Mitre
 from ..core.shapes import growing, milling
 from ..core.shapes.operand import Operand

@@ -16,10 +16,9 @@ from functools import cache, lru_cache
 import bpy
 import numpy as np
 
-from ..core.declared.grammar_text import Grammar, Values
 from ..core.declared.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
 from ..core.declared.plain import plain
-from ..core.declared.program_text import Program
+from ..core.declared.texts import Grammar, Program, Values
 from ..core.declared.wording import summary, titled
 from ..core.later import later
 

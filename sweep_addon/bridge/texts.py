@@ -10,8 +10,8 @@ from itertools import islice
 import bpy
 import numpy as np
 
-from ..core.declared.grammar_text import Grammar, Values
 from ..core.declared.parameters import ShapeError, require
+from ..core.declared.texts import Grammar, Values
 from ..core.shapes import growing
 from ..core.shapes.plant import SAID
 from . import objects, rna

@@ -9,9 +9,8 @@ from math import inf, isfinite
 from typing import NamedTuple, get_args, get_origin
 
 from .forms import VERSION, plain, scalar, tidy
-from .grammar_text import Grammar, Values
 from .parameters import Array, inside, parameters, spelled
-from .program_text import Program
+from .texts import Grammar, Program, Values
 from .wording import longest, summary, within
 
 WORDS = {Grammar: "text", Program: "text", Values: "table of numbers"}

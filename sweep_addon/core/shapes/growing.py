@@ -7,8 +7,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..declared.grammar_text import Grammar, Values
 from ..declared.parameters import ShapeError, at
+from ..declared.texts import Grammar, Values
 from ..grammars import Budget, GrammarError, LSystem
 from ..grammars.deriving.budget import LateError, ranged, sized
 from ..grammars.deriving.growth import bounds, foretold

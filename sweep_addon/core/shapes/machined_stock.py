@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..declared.parameters import declared, parameter
-from ..declared.program_text import Program
+from ..declared.texts import Program
 from ..later import later
 from ..machining.stock import Around, Stock
 from ..machining.tools import BallNose, Numbered, Tool

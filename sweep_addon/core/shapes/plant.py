@@ -6,9 +6,9 @@ from enum import Enum
 
 import numpy as np
 
-from ..declared.grammar_text import Grammar, Values
 from ..declared.options import Texture
 from ..declared.parameters import at, coerce, count, declared, parameter, parameters, require, spelled
+from ..declared.texts import Grammar, Values
 from ..later import later
 from .operand import Operand
 

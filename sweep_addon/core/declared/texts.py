@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The text of a grammar, and values for the constants in it, as parameters of a shape."""
+"""Texts of grammars and of programs, and values for the constants in them, as parameters of a shape."""
 
 from collections.abc import Mapping
 from numbers import Real
@@ -12,23 +12,45 @@ from .refusals import together
 from .wording import named, shown
 
 
-class Grammar(str):
-    """A text, which whoever needs the system in it reads; from an `LSystem` it is the system's own.
+class Text(str):
+    """A text whose lines end as on any machine, which whoever needs what it says reads."""
+
+    __slots__ = ()
+    of = ""  # what it is the text of, for refusals
+
+    @classmethod
+    def coerced(cls, value):
+        """The text from a text."""
+        way = ", as .read_text() of a path gives" if isinstance(value, PathLike) else ""
+        require(isinstance(value, str), f"must be the text of a {cls.of}{way}", value)
+        return cls(value.replace("\r\n", "\n").replace("\r", "\n"))
+
+
+class Program(Text):
+    """The text of a program of a machine.
+
+    >>> Program.coerced("G0 X1\\r\\n")
+    'G0 X1\\n'
+    """
+
+    __slots__ = ()
+    of = "program"
+
+
+class Grammar(Text):
+    """The text of a grammar; from an `LSystem` it is the system's own.
 
     >>> Grammar.coerced("axiom: F\\r\\n")
     'axiom: F\\n'
     """
 
     __slots__ = ()
+    of = "grammar"
 
     @classmethod
     def coerced(cls, value):
-        """The text from a text or a system, its lines ended as on any machine."""
-        if hasattr(value, "axiom"):
-            value = str(value)
-        way = ", as .read_text() of a path gives" if isinstance(value, PathLike) else ""
-        require(isinstance(value, str), f"must be the text of a grammar{way}", value)
-        return cls(value.replace("\r\n", "\n").replace("\r", "\n"))
+        """The text from a text or a system."""
+        return super().coerced(str(value) if hasattr(value, "axiom") else value)
 
 
 class Values(Mapping):
