@@ -93,9 +93,10 @@ def disassembly(parts, tolerance=None, seed=0, budget=BUDGET, progress=None):
     require(len(bodies) > 1, "must have two parts or more", len(bodies), "parts")
     middle = np.mean([body.middle for body in bodies], axis=0)
     left = [body.about(middle) for body in bodies]
-    order, blocking, count = [], {}, len(left) - 1
+    order, blocking, waiting, count = [], {}, {}, len(left) - 1
     while len(left) > 1:
-        found = straight_one(left, middle, tolerance, blocking)
+        found = straight_one(left, middle, tolerance, waiting)
+        blocking = waiting | blocking  # what was noted first
         if not found:
             found = hard_one(left, middle, tolerance, seed, budget, within(progress, len(order) / count, 1.0))
         if not found:
@@ -107,18 +108,24 @@ def disassembly(parts, tolerance=None, seed=0, budget=BUDGET, progress=None):
     return Disassembly(tuple(order), tuple(body.name for body in left), blocking)
 
 
-def straight_one(left, middle, tolerance, blocking):
-    """The first part that gets out straight and its path, or None; what blocks those before it is noted."""
+def straight_one(left, middle, tolerance, waiting):
+    """The first part that gets out straight and its path, or None.
+
+    What those before it run into is noted in ``waiting``: they are not tried again while all of that is there.
+    """
+    there = {body.name for body in left}
     for part in left:
+        first = part.name not in waiting
+        if not first and there.issuperset(waiting[part.name]):
+            continue
         scene = scene_among(part, left, middle, tolerance)
-        if part.name not in blocking:
+        if first:
             with at(part.name):
                 refuse_overlap(scene)
         path = straight_out(scene)
         if path:
             return part, path
-        if part.name not in blocking:
-            blocking[part.name] = scene.run_into(directions_of(scene))
+        waiting[part.name] = scene.run_into(directions_of(scene))
     return None
 
 
