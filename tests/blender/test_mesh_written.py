@@ -42,6 +42,8 @@ SHAPES = {
     "closed with a turn": shape(sw.contours.Rectangle(0.1, 0.1), KNOT, contours=400, twist="pi/2*t"),
     "triangles": shape(sw.contours.Circle(0.2, points=3), LINE),
     "frustum": sw.TranslationalSweep(WASHER, taper=0.1, hole_taper=-0.1),
+    "draft beyond its fillets": sw.TranslationalSweep(sw.contours.Rectangle(3.0, 2.0, 0.25), taper=0.5),
+    "walls that end in a ridge": sw.TranslationalSweep(WASHER, 2.0, "symmetric", taper=0.3, hole_taper=0.3),
     "open sheets": sw.TranslationalSweep(sw.contours.Outline([[(0, 0), (1, 0), (1, 1)]], closed=False)),
     "ball": sw.RotationalSweep(HALF),
     "wedge": sw.RotationalSweep(HALF, 2.0),

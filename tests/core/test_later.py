@@ -26,7 +26,8 @@ WAITING = """
     formulas.jets meshes.joining kept grids.laying grids.leaning variation.matching meshes.mesh rings.mitres
     variation.motion rings.parting meshes.polyhedron envelopes.reach meshes.regularizing stations.rotations
     meshes.runs rings.cutting stations.search meshes.sheets stations.spreading rings.steps stations.transport
-    meshes.triangulate rings.trimming rings.volume_true meshes.welding contours.arcs contours.arrangement
+    meshes.triangulate rings.trimming rings.volume_true meshes.welding rings.events rings.meetings rings.roofs
+    rings.wavefront shapes.roofing contours.arcs contours.arrangement
     contours.crossing contours.filling contours.flatten contours.fonts contours.loops contours.nesting
     contours.orientation contours.planar contours.ranges contours.reading contours.rounding contours.section
     contours.svg contours.svg_document contours.symmetry distance.nearest grammars shapes.carrying

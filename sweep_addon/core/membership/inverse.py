@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Inverse sweeping: the planes of a contour that pass through points, and what points they go back to in them."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..declared.frozen import individual
 from ..declared.parameters import require
 from ..declared.wording import titled
 from ..shapes.operand import Operand
+from ..shapes.translational_sweep import TranslationalSweep
 from .classify import RELATIVE, rows_of_three
 from .members import member
 from .motion.hash import portions
@@ -89,13 +92,18 @@ def inverse_sweep(shape, points):
     """
     points = rows_of_three(points)
     require(isinstance(shape, Operand), "must be a planar shape", shape, "shape")
-    plane = member(shape)
+    plane = member(undrafted(shape) if isinstance(shape, TranslationalSweep) else shape)
     plane = getattr(plane, "plane", plane)
     if isinstance(plane, DeformedBody):
         return of_deformed(plane, points)
     of_plane = isinstance(plane, MovingPlane)
     require(of_plane, "must be the sweep of a contour, out of its plane", titled(type(shape)), "shape")
     return of_planes(plane, points)
+
+
+def undrafted(shape):
+    """What a translational sweep is without a draft whose edges vanish or part: its planes pass as they did."""
+    return replace(shape, taper=0.0, hole_taper=0.0, tapers=()) if shape.is_parted else shape
 
 
 def of_planes(plane, points):

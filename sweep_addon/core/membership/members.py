@@ -70,9 +70,14 @@ def planar(way_of):
 
 
 def translated(shape):
-    """A translational sweep; an upright one has the distance of its contour, one in its plane is flat."""
+    """A translational sweep; an upright one has the distance of its contour, one in its plane is flat.
+
+    Of a draft whose edges vanish, part or join the faces are plane, so it is told from its mesh, and as exactly.
+    """
     if shape.within_plane:
         return within_plane(shape)
+    if shape.is_parted:
+        return meshed(shape.mesh())
     plane = MovingPlane(ways.of_translation(shape))
     upright = not shape.is_drafted and not np.any(shape.way[:2])
     if upright and not isinstance(region(shape.contour), Strands):

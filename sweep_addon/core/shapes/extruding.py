@@ -18,9 +18,11 @@ from ..later import later
 from ..meshes.mesh import Mesh, require_few
 from ..meshes.welding import finished, welded
 from ..rings import caps, draft
+from ..rings.ends import Flat
 from ..stations.frames import Frames, require_several
 from .translational_sweep import Directions, Reference
 
+roofs, roofing = later("core.rings.roofs"), later("core.shapes.roofing")  # of drafts whose edges vanish
 in_plane = later("core.grids.in_plane")  # of sweeps within the contour's plane
 
 PLANE = np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))  # its origin and its axes
@@ -47,6 +49,9 @@ def body_of(sweep, section, dtype):
         return in_plane.flat(section, PLANE, sweep.texture, sweep.attributes, dtype)
     heights = heights_of(sweep)
     require_few(len(heights) * len(section.points), "steps")
+    parted = roof_of(sweep, section, heights)
+    if parted:
+        return roofing.mesh(sweep, section, parted, heights, dtype)
     drafted = draft_of(sweep, section, heights)
     moves, points = drafted.moves, drafted.points
     s = (heights - heights[0]) / sweep.upright
@@ -87,15 +92,52 @@ def heights_of(sweep):
 
 def draft_of(sweep, section, heights):
     """The section drafted to its ends: a `Draft`; refused where it does not reach them."""
+    slopes, found = known_draft(sweep, section, heights)
+    for height, reached, point in zip(np.abs(heights[[0, -1]]).tolist(), found.reached, found.points, strict=True):
+        if falls_short(height, reached, point):
+            raise refusal(sweep, slopes, height, reached, point)
+    return found
+
+
+def known_draft(sweep, section, heights):
+    """The slopes of a section's loops, and the `Draft`, whether or not it reaches its ends."""
     slopes, ends = slopes_of(sweep, section), np.abs(heights[[0, -1]]).tolist()
     if not section.closed:
         key, angle = steepest(sweep, slopes)
         require(not angle, "must be 0 where the contour has open curves or points, which have no inside", angle, key)
-    found = draft.draft(section, tuple(slopes.tolist()), tuple(ends))
-    for height, reached, point in zip(ends, found.reached, found.points, strict=True):
-        if height > reached * (1 + draft.ALIKE if point else 1):
-            raise refusal(sweep, slopes, height, reached, point)
-    return found
+    return slopes, draft.draft(section, tuple(slopes.tolist()), tuple(ends))
+
+
+def falls_short(height, reached, point):
+    """Whether a section drafted so far does not reach a height."""
+    return height > reached * (1 + draft.ALIKE if point else 1)
+
+
+def is_parted(sweep):
+    """Whether edges of a sweep's contour vanish, part or join on the way."""
+    heights = heights_of(sweep)
+    return any(section and section.closed and roof_of(sweep, section, heights) for section in sections_of(sweep))
+
+
+def roof_of(sweep, section, heights):
+    """What edges leave that vanish, part or join below the heights: a `Roof`; None where none do, or all at once."""
+    slopes, found = known_draft(sweep, section, heights)
+    ends = np.abs(heights[[0, -1]]).tolist()
+    short = [falls_short(*each) for each in zip(ends, found.reached, found.points, strict=True)]
+    if not any(short) or any(one and point for one, point in zip(short, found.points, strict=True)):
+        return None
+    if isinstance(sweep.contour, Mixed) or len(section.points) > roofs.MOST:
+        return None
+    closed = tuple(isinstance(end, Flat) for end in (sweep.start, sweep.end))
+    try:
+        made = roofs.roof(section, tuple(slopes.tolist()), tuple(heights.tolist()), closed)
+    except ShapeError as error:
+        key, angle = steepest(sweep, slopes)
+        raise ShapeError(f"{error}, got {shown(angle)}", key) from None
+    for height, gone in zip(ends, made.gone, strict=True):
+        if gone < height * (1 - draft.ALIKE):
+            raise refusal(sweep, slopes, height, gone, True, "nothing is left")
+    return made
 
 
 def slopes_of(sweep, section):
@@ -107,12 +149,12 @@ def slopes_of(sweep, section):
     return np.where(section.areas >= 0, tan(sweep.taper), tan(sweep.hole_taper))
 
 
-def refusal(sweep, slopes, height, reached, point):
+def refusal(sweep, slopes, height, reached, point, said="edges meet"):
     """What is said of a taper whose edges meet before the height: the largest angle, that of a point if all do."""
     key, angle = steepest(sweep, slopes)
     most = atan(tan(abs(angle)) * reached / height)
     most = f"must be {'at most' if point else 'less than'} {most:.9g} ({degrees(most):.9g} degrees) in size"
-    return ShapeError(f"{most}: edges meet {reached:.6g} m from their plane, got {shown(angle)}", key)
+    return ShapeError(f"{most}: {said} {reached:.6g} m from their plane, got {shown(angle)}", key)
 
 
 def steepest(sweep, slopes):
@@ -136,15 +178,28 @@ def laid(sweep, section, moves, heights):
 def frames(sweep, most):
     """The frames and contours at some stations; `TranslationalSweep.frames` says at which."""
     require_several(most)
-    sections, heights, loops = sections_of(sweep), heights_of(sweep), []
-    heights = heights[np.unique(np.linspace(0, len(heights) - 1, min(most, len(heights))).round().astype(int))]
+    sections, every, loops = sections_of(sweep), heights_of(sweep), []
+    heights = every[np.unique(np.linspace(0, len(every) - 1, min(most, len(every))).round().astype(int))]
     for section in sections:
+        if parted := roof_of(sweep, section, every):
+            loops += [
+                placed(sweep, loop, height) for height in heights.tolist() for loop in parted.levels.get(height, ())
+            ]
+            continue
         moves = draft_of(sweep, section, heights).moves
         weights, rings = laid(sweep, section, moves, heights)
         loops += np.split(np.einsum("mk,kni->nmi", weights, rings), section.offsets[1:-1], axis=1)
     s = (heights - heights[0]) / sweep.upright
-    ways = np.tile(sweep.direction / np.linalg.norm(sweep.direction), (len(heights), 1))
-    return Frames(s / s[-1], s, rings[0], ways, rings[1], rings[2], tuple(loops))
+    middles, (x, y) = heights[:, None] * sweep.way, np.eye(3)[:2]
+    ways, x, y = (
+        np.tile(axis, (len(heights), 1)) for axis in (sweep.direction / np.linalg.norm(sweep.direction), x, y)
+    )
+    return Frames(s / s[-1], s, middles, ways, x, y, tuple(loops))
+
+
+def placed(sweep, loop, height):
+    """A loop of the plane, (k, 2), at a height: (1, k, 3) float array."""
+    return (np.column_stack((loop, np.zeros(len(loop)))) + height * sweep.way)[None]
 
 
 @lru_cache(maxsize=16)

@@ -39,7 +39,9 @@ class TranslationalSweep(Operand):
 
     Its orientation does not change, and its shape only by a taper: then all edges of the contour move inwards, parallel
     to themselves and by the same distance, so that the sides stand at the angle of the taper to the direction out of
-    the plane, as those of a casting do. A taper at which the whole contour becomes a point is a pyramid or a cone.
+    the plane, as those of a casting do. A taper at which the whole contour becomes a point is a pyramid or a cone. An
+    edge that has no length left is gone and its neighbours meet; where a hollow corner reaches another edge the contour
+    parts, and where loops meet they join; so a rectangle may end in the ridge of a hip roof.
 
     Examples
     --------
@@ -52,6 +54,9 @@ class TranslationalSweep(Operand):
     >>> pyramid = TranslationalSweep(Rectangle(2, 2), 3.0, taper=atan(1 / 3)).mesh()
     >>> round(pyramid.volume(), 12), len(pyramid.vertices)
     (4.0, 5)
+    >>> hipped = TranslationalSweep(Rectangle(3, 2), 3.0, taper=atan(1 / 3)).mesh()  # a pyramid, and a wedge between
+    >>> round(hipped.volume(), 12), len(hipped.vertices)
+    (7.0, 6)
     """
 
     contour: PlanarSet = parameter(Rectangle(1.0, 1.0), "What moves", accepts=("CURVE", "FONT"))
@@ -107,7 +112,7 @@ class TranslationalSweep(Operand):
         Raises
         ------
         ShapeError
-            Where edges of a tapered contour vanish or meet below the height, or where there would be too many vertices.
+            Where nothing is left of a tapered contour below the height, or where there would be too many vertices.
 
         Examples
         --------
@@ -117,7 +122,7 @@ class TranslationalSweep(Operand):
         return extruding.mesh(self, dtype)
 
     def self_intersections(self):
-        """Where the sweep meets itself: nowhere, for its plane moves one way, and a taper ends before edges meet.
+        """Where the sweep meets itself: nowhere, for its plane moves one way, and edges that meet end there.
 
         Within its plane a sweep covers each place once, however often the contour comes by.
 
@@ -175,6 +180,11 @@ class TranslationalSweep(Operand):
     def is_drafted(self):
         """Whether sides lean."""
         return bool(self.taper or self.hole_taper or self.tapers.values.any())
+
+    @property
+    def is_parted(self):
+        """Whether edges of a drafted contour vanish, part or join on the way."""
+        return self.is_drafted and extruding.is_parted(self)
 
     @property
     def within_plane(self):

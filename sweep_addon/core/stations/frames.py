@@ -43,7 +43,8 @@ class Frames:
     e1, e2, e3 : (n, 3) float array
         The unit tangent, at a corner the bisector, and the axes of the contour as the twist has turned them.
     contours : tuple of (n, m, 3) float arrays
-        For each loop of the contour its points at each place, inscribed; the last leads back to the first.
+        For each loop of the contour its points at each place, inscribed; the last leads back to the first. Of a draft
+        whose edges vanish or part, each loop at each place alone.
     """
 
     u: np.ndarray
