@@ -81,7 +81,8 @@ class Offset:
         most = [np.quantile(self.lower, RANGE[0]), np.quantile(self.upper, RANGE[1])]
         between = dict.fromkeys(" to ".join(f"{x / radius:.3g}" for x in pair) for pair in (bounds, most))
         name = self.engine.name.lower().replace("_", " ")
-        yield f"Engine {name}, as {self.reason}. Proved to be {', nearly all of it '.join(between)} radii away."
+        away = ", nearly all of it ".join(between)
+        yield f"Engine {name}, as {self.reason}. The surface is proved to be {away} radii away."
         if bounds[0] < ROUGH * radius:
             cells = self.engine == Engine.LEVEL_SET
             large = "radius is small beside the cells" if cells else "tolerance is large beside the radius"
