@@ -10,7 +10,8 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 from scenes import add, extent, parameters_of, places, select, straight, sweep
 
 from sweep_addon.bridge import meshes, objects
-from sweep_addon.core.contours import Circle
+from sweep_addon.core.contours import Circle, Rectangle
+from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.properties import handlers, live
 
 RADIUS = "sweep.generalized_cylinder.contour_circle_radius"
@@ -239,3 +240,18 @@ def test_a_mesh_without_parameters_is_left_alone(scene, written):
     update()
     scene.frame_set(3)
     assert written == [] and len(mesh.vertices) == 3
+
+
+def test_a_taper_is_changed_past_where_edges_vanish_and_walls_meet(scene):
+    """Of a rounded plate the fillets vanish, then it is a roof; where nothing would be left it stays as it was."""
+    ob = add("plate", objects.new_mesh(TranslationalSweep(Rectangle(4.0, 2.0, 0.25), 1.0)))
+    parameters = ob.data.sweep.translational_sweep
+    counts = []
+    for taper in (0.1, 0.5, 0.785398163, 1.0):
+        parameters.taper = taper
+        counts.append((len(ob.data.vertices), round(extent(ob)[2], 5)))
+    assert [height for _, height in counts] == [1, 1, 1, 1]
+    assert counts[0][0] > counts[1][0] > counts[2][0] == counts[3][0]
+    assert "nothing is left" in ob.data.sweep.error
+    parameters.taper = 0.1
+    assert len(ob.data.vertices) == counts[0][0] and not ob.data.sweep.error
