@@ -15,6 +15,7 @@ from ..vectors import dot
 
 TOUCHING = 1e-9  # of the size: what is nearer has met
 PARALLEL = 1e-9  # the sine of the angle between lines that never meet
+SURE = 1e-5  # of the size: what is farther apart does not meet, however it rounds
 BEYOND = 1.001  # times the height: what happens hardly beyond it is taken to be there
 MOST_EVENTS = 8  # for each edge: a contour has fewer, so rounding goes round in circles
 KEPT = {  # of each vertex: its shape, and what stands for none
@@ -168,9 +169,29 @@ class Wavefront:
             raise ShapeError("must not lead edges to where rounding decides how they meet")
 
     def due(self):
-        """The height at which something happens next, or infinite."""
+        """The height at which something happens next, or infinite; lines reached beside their edges are passed over."""
         some = slice(self.count)
-        return max(self.now, float(min(self.vanish[some].min(), self.reach[some].min())))
+        vanishing = float(self.vanish[some].min())
+        while True:
+            vertex = int(self.reach[some].argmin())
+            height = float(self.reach[vertex])
+            if height >= vanishing or self.meets(vertex, height):
+                return max(self.now, min(vanishing, height))
+            self.coming[vertex].pop()
+            self.look(vertex)
+
+    def meets(self, vertex, height):
+        """Whether a piece of an edge may be where a vertex reaches its line: it is not far off."""
+        source = self.coming[vertex][-1][2]
+        (x, y), room = self.ways[source].tolist(), SURE * self.size
+
+        def along(vertex):
+            lasted = height - self.since[vertex]
+            place, velocity = self.place[vertex], self.velocity[vertex]
+            return x * (place[0] + lasted * velocity[0]) + y * (place[1] + lasted * velocity[1])
+
+        here = along(vertex)
+        return any(along(piece) - room <= here <= along(int(self.ahead[piece])) + room for piece in self.lying[source])
 
     def living(self):
         """The vertices that are there: (n,) int array."""
