@@ -178,13 +178,27 @@ def test_edges_of_different_slopes_that_meet_in_line_are_refused():
     assert_solid(TranslationalSweep(blocks, 1.2, tapers=(-atan(0.4), -atan(0.8))).mesh(), 2)
 
 
-def test_loops_that_touch_at_the_height_itself_are_refused():
+def test_holes_that_touch_at_the_height_itself_are_refused():
     """Two jaws grow until their corners touch there, and close off a hole; hardly beyond, that is a tunnel."""
     jaws = Outline([[(0, 0), (4, 0), (4, 1), (1, 1), (1, 4), (5, 4), (5, 2), (6, 2), (6, 5), (0, 5)]])
-    with pytest.raises(ShapeError, match=r"^taper: must not end just where loops touch: a little more or less will do"):
+    with pytest.raises(
+        ShapeError, match=r"^taper: must not end just where a hole touches: a little more or less will do"
+    ):
         TranslationalSweep(jaws, 0.5, taper=-atan(1.0)).mesh()
     for height, euler in ((0.4999, 2), (0.5001, 0)):
         assert_solid(TranslationalSweep(jaws, height, taper=-atan(1.0)).mesh(), euler)
+
+
+def test_a_corner_may_reach_the_opposite_edge_at_the_height_itself():
+    """Of a notch half way down: its corner moves by the square root of 2, and the contour parts at the end."""
+    notched = [(0, 0), (4, 0), (4, 2), (3, 2), (2, 1), (1, 2), (0, 2)]
+    height = 1 / (1 + 2**0.5)
+    mesh = roofed([notched], height).mesh()
+    assert_solid(mesh, 2)
+    turns = [1, 1, 1, np.tan(np.pi / 8), -1, np.tan(np.pi / 8), 1]  # of the tangents of half the turns
+    area = [7, -(4 + 2 + 1 + 2 * 2**0.5 + 1 + 2), sum(turns)]
+    assert mesh.volume() == pytest.approx(by_parts((height, area)), rel=1e-9)
+    assert (mesh.normals[mesh.topology.material == CAP, 2] > 0).sum() == 2
 
 
 def test_trees_and_solids_take_them():
@@ -323,7 +337,7 @@ def test_random_drafts_are_solids_whose_sections_are_offsets(contour, height):
                 mesh = TranslationalSweep(contour, low, taper=atan(slope), hole_taper=atan(slope)).mesh()
                 break
             except ShapeError as error:
-                told = re.search(r"(?:nothing is left|edges meet) ([\d.e-]+) m|loops touch", str(error))
+                told = re.search(r"(?:nothing is left|edges meet) ([\d.e-]+) m|hole touches", str(error))
                 low = float(told[1]) * 0.999 if told[1] else 0.97 * low
         assert_sound(mesh)
         for part in (0.31, 0.73, 0.97) if slope > 0 else ():

@@ -131,11 +131,14 @@ def risen(front, section, places, first, side, shut):
     loops = [part for loop in front.loops() for part in simple(number[front.node[loop]].tolist())]
     at = dict(zip(number[front.node[front.living()]].tolist(), front.living().tolist(), strict=True))
     numbers = np.concatenate(loops)
-    if len(at) < len(numbers):
-        raise ShapeError("must not end just where loops touch: a little more or less will do")
     points = front.at(np.array([at[node] for node in numbers.tolist()]), front.now)
     offsets = np.concatenate(([0], np.cumsum([len(loop) for loop in loops])))
-    return found + cap_of(Section(points, offsets, np.full(len(points), False)), numbers, side)
+    end = Section(points, offsets, np.full(len(points), False))
+    if (end.areas > 0).all():
+        return found + [(TOP if side > 0 else BOTTOM, loop[::side]) for loop in loops]
+    if len(at) < len(numbers):
+        raise ShapeError("must not end just where a hole touches: a little more or less will do")
+    return found + cap_of(end, numbers, side)
 
 
 def merged(front, places, count):
