@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from sweep_addon.core.contours import Circle, Outline, RegularPolygon, ScrewThread
+from sweep_addon.core.contours import Circle, Outline
 from sweep_addon.core.csg import Placed
 from sweep_addon.core.meshes.booleans import body_of
 from sweep_addon.core.meshes.polyhedron import polyhedron
@@ -12,8 +12,7 @@ from sweep_addon.core.removal.legs import turn
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from sweep_addon.core.solids import Ball, Block, Cylinder
-from sweep_addon.core.stations.sampling import Count
-from sweep_addon.core.trajectories import Arc, Line
+from sweep_addon.core.trajectories import Arc
 
 Z = np.array([0.0, 0.0, 1.0])
 
@@ -68,18 +67,6 @@ def bent_rod():
     window = Block(0.45, 0.3, 1.0).moved(x=0.125, z=0.5)
     rod = Block(0.1, 0.1, 0.6).moved(z=0.3) | Block(0.5, 0.1, 0.1).moved(x=0.2, z=-0.05)
     return rod, {"box": (Block(1.6, 1.6, 1.0) - Block(1.5, 1.5, 0.9)).moved(z=-0.29) - window}
-
-
-def nut(pitch=0.3):
-    """A nut on a bolt with a head below it: a left turn lifts it by the pitch."""
-
-    def thread(diameter, low, high):
-        line, twist = Line((0, 0, low), (0, 0, high)), f"2*pi*(s+{low})/{pitch}"
-        samples = Count(round((high - low) / pitch * 8))
-        return GeneralizedCylinder(ScrewThread(diameter, pitch, points=16), line, twist=twist, samples=samples)
-
-    hexagon = TranslationalSweep(RegularPolygon(6, 0.7), height=0.3)
-    return hexagon.moved(z=0.1) - thread(1.14, 0.0, 0.6), {"bolt": thread(1.0, 0.0, 0.45) | hexagon.moved(z=-0.29)}
 
 
 def shelled():
