@@ -115,6 +115,16 @@ def test_loops_and_branches_go_where_they_lead():
     assert [x for x, _, _ in ends(text)] == [1, 2, 5, 3, 0]
 
 
+def test_a_comment_before_a_loop_is_no_part_of_it():
+    assert ends("(twice) o1 repeat [2]\nG91 G0 X1 (a step)\nN30 (again) o1 endrepeat") == [[1, 0, 0], [2, 0, 0]]
+
+
+def test_a_loop_is_left_for_what_comes_after_it_though_others_have_its_label():
+    """Each runs once up to its own word, whose label the loop before, the one within and the one after have too."""
+    loop = "#1 = 0\no1 while [#1 lt 2]\n#1 = [#1 + 1]\no1 repeat [1]\no1 endrepeat\n{}\nG0 X9\no1 endwhile\nG0 X#1\n"
+    assert [x for x, _, _ in ends(loop.format("o1 continue") + loop.format("o[2 - 1] break"))] == [2, 1]
+
+
 def test_arcs_by_radius_are_those_by_centre():
     """From 3 to 12 o'clock of a circle: a quarter, and with a negative radius the other three quarters."""
     for code, radius, centre, turn in [(3, 10, 0, 0.5), (2, -10, 0, -1.5), (2, 10, 0.01, -0.5), (3, -10, 0.01, 1.5)]:
@@ -198,6 +208,9 @@ def test_plain_lines_read_at_once_are_those_read_one_by_one(monkeypatch):
         ("G81 F9 X1 Z-1", "line 1 needs R, the height above which its canned cycle moves fast"),
         ("G83 F9 X1 Z-1 R1", "line 1 needs Q, how deep each peck of G83 goes, of more than 0"),
         ("G81 F9 Z2 R1", "line 1 has R, where its canned cycle begins to feed, below the depth it goes to"),
+        ("T9999999999 M6", "line 1 needs the number of a tool for T, from 0 to 2147483647, got 1e+10"),
+        ("M61 Q-1", "line 1 needs the number of a tool for Q, from 0 to 2147483647, got -1"),
+        ("G1 F9 X1\n\n\n\n\n\n", ""),
         ("%\nG0 X1\n%\nG99.9", ""),
         ("G0 X1\n%\n", ""),
         ("G0 X1\n%\nG0 X2", "line 2 has a word that no program has before '%', of letters and numbers"),
@@ -227,6 +240,10 @@ def test_what_is_wrong_or_not_known_is_told_with_its_line(text, sentence):
         "G1 F9 X[" + "1+" * 9000 + "1]",
         "G1 F9 X[9**9**9**9]",
         "G2 F9 X1 Y0 R1 P1000000000",
+        " " * 100_000 + "G0 X1 Q",
+        "G1 F9 X0 Y0 Z0\nX" + "1" * 100_000 + "Q",
+        "\n".join(f"o{number} if [1]" for number in range(50_000)),
+        "o1 while [1]\no2 if [0]\n" + "o2 elseif [0]\n" * 10_000 + "o2 endif\no1 endwhile",
     ],
 )
 def test_a_hostile_program_is_refused_soon(text, monkeypatch):

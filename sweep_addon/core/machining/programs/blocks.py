@@ -31,9 +31,14 @@ class Block:
     arguments: list = field(default_factory=list)
 
 
-def stripped(line):
+def bare(line):
     """A line without its comments and blanks, in small letters."""
-    text = BLANK.sub("", ASIDE.sub("", line)).lower()
+    return BLANK.sub("", ASIDE.sub("", line)).lower()
+
+
+def stripped(line):
+    """A bare line, or a refusal of what cannot be read."""
+    text = bare(line)
     if "(" in text or ")" in text:
         raise ShapeError("has a bracket of a comment without the other")
     if len(text) > LONGEST:  # so that no expression is too deep to be calculated

@@ -11,6 +11,7 @@ from .expressions import whole
 from .machine import AXES, INCH, MILLIMETRE, turned
 from .toolpath import FEED, RAPID
 
+MOST_TOOLS = 2**31 - 1  # as many as `Numbered` tells apart
 MOTIONS = {0, 10, 20, 30, 50, 51, 52, 53, 800, *CYCLES}
 ONCE = {40, 100, 520, 530, 920, 921, 922, 923}
 PLANES = {170: 2, 180: 1, 190: 0}
@@ -95,14 +96,21 @@ def set_feed(machine, codes, words):
 
 def set_spindle_and_tool(machine, stops, words):
     if "t" in words:
-        machine.selected = whole(words["t"], "T")
+        machine.selected = tool_number(words["t"], "T")
     for stop in stops:
         if stop == 6:
             machine.tool = machine.selected
         if stop == 61:
-            machine.tool = machine.selected = whole(words.get("q", 0), "Q")
+            machine.tool = machine.selected = tool_number(words.get("q", 0), "Q")
         if stop in (3, 4, 5):
             machine.spindle = {3: 1, 4: -1, 5: 0}[stop]
+
+
+def tool_number(number, what):
+    number = whole(number, what)
+    if not 0 <= number <= MOST_TOOLS:
+        raise ShapeError(f"needs the number of a tool for {what}, from 0 to {MOST_TOOLS}, got {number:g}")
+    return number
 
 
 def set_modes(machine, codes):

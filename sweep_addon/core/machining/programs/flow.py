@@ -6,11 +6,13 @@ import re
 from dataclasses import dataclass, field
 
 from ...declared.refusals import ShapeError
-from .blocks import block
+from .blocks import bare, block
 from .lines import at_line
 
-FLOW = re.compile(r"\s*/?\s*(?:n[\d.\s]+)?o", re.IGNORECASE)
+FLOW = re.compile(r"(?:n[\d.]+)?o")
 LABELLED = re.compile(r"(?:n[\d.]+)?o(?:<([^>]+)>|(\d+))")
+DEEPEST = 100  # loops and branches within each other
+LOOPS = ("repeat", "while", "do")
 CLOSED_BY = {"if": "endif", "repeat": "endrepeat", "while": "endwhile", "do": "while", "sub": "endsub"}
 
 
@@ -33,7 +35,7 @@ class Flow:
 
     constructs: dict = field(default_factory=dict)  # line -> Construct
     subs: dict = field(default_factory=dict)  # label -> Construct
-    loops: dict = field(default_factory=dict)  # label -> those that have it
+    around: dict = field(default_factory=dict)  # line of break or continue -> the loops around it, from the outermost
     labels: dict = field(default_factory=dict)  # label -> line, of programs in the manner of Fanuc
 
 
@@ -41,7 +43,7 @@ def linked(lines):
     """Find what belongs together among the lines of a program: a `Flow`."""
     flow, opened = Flow(), []
     for line, text in enumerate(lines):
-        if FLOW.match(text):
+        if ("o" in text or "O" in text) and FLOW.match(bare(text)):  # few lines need their comments taken out
             with at_line(line):
                 link(flow, opened, line, text)
     if opened:
@@ -54,6 +56,8 @@ def link(flow, opened, line, text):
     said = block(text)
     if said.keyword is None:
         return
+    if said.keyword in ("break", "continue"):
+        flow.around[line] = [construct for construct in opened if construct.keyword in LOOPS]
     if said.keyword in ("call", "return", "break", "continue"):
         return
     label = static(text)
@@ -68,10 +72,7 @@ def link(flow, opened, line, text):
     elif said.keyword == "while" and inside and inside.keyword == "do":
         end(flow, opened, inside, line)
     elif said.keyword in CLOSED_BY:
-        opened.append(Construct(said.keyword, label, [line]))
-        flow.constructs[line] = opened[-1]
-        if said.keyword != "if":
-            flow.loops.setdefault(label, []).append(opened[-1])
+        begin(flow, opened, said.keyword, label, line)
     elif said.keyword in ("elseif", "else") and inside and inside.keyword == "if":
         inside.lines.append(line)
         flow.constructs[line] = inside
@@ -83,10 +84,17 @@ def link(flow, opened, line, text):
 
 def static(text):
     """The label of a construct, which must not have to be calculated."""
-    found = LABELLED.match(re.sub(r"\s+", "", text).lower().lstrip("/"))
+    found = LABELLED.match(bare(text))
     if not found:
         raise ShapeError("needs a number or <name> as a label")
     return found[1] or int(found[2])
+
+
+def begin(flow, opened, keyword, label, line):
+    if len(opened) >= DEEPEST:
+        raise ShapeError(f"begins loops and branches within each other more than {DEEPEST} deep, which is the most")
+    opened.append(Construct(keyword, label, [line]))
+    flow.constructs[line] = opened[-1]
 
 
 def begin_sub(flow, opened, label, line):
@@ -94,8 +102,8 @@ def begin_sub(flow, opened, label, line):
         raise ShapeError("begins a subroutine within another")
     if label in flow.subs:
         raise ShapeError("begins a subroutine that is there already")
-    opened.append(Construct("sub", label, [line]))
-    flow.constructs[line] = flow.subs[label] = opened[-1]
+    begin(flow, opened, "sub", label, line)
+    flow.subs[label] = opened[-1]
 
 
 def end_sub(flow, opened, label, line):

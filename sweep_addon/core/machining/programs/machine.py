@@ -12,6 +12,7 @@ from .toolpath import ARC, RAPID, Toolpath
 
 MILLIMETRE, INCH = 0.001, 0.0254
 MOST_MOVES = 3_000_000
+MANY = 100_000  # single moves, after which they are made rows of an array
 MODES = ("unit", "plane", "absolute", "absolute_centres", "feed_mode", "feed", "to_level", "system")
 AXES = "xyz"
 
@@ -102,6 +103,8 @@ class Moved:
     def add(self, place, kind, line, tool):
         self.single.append((*place, kind, line + 1, tool))
         self.count += 1
+        if len(self.single) >= MANY:  # which take five times the memory of their rows
+            self.flush()
         self.bound()
 
     def add_run(self, rows):

@@ -10,17 +10,18 @@ from ...declared.refusals import ShapeError
 from .lines import at_line
 from .machine import turned, within
 
-NUMBER = r"([-+]?(?:\d+\.?\d*|\.\d+))[ \t]*"
+NUMBER = r"([-+]?(?:\d+(?:\.\d*)?|\.\d+))[ \t]*"  # read in one way only, so that a wrong line is left at once
 LINE = re.compile(
     rf"[ \t]*(?:[Nn]\d+[ \t]*)?(?:[Gg]0*([01])(?![\d.])[ \t]*)?"
     rf"(?=[XYZxyz])(?:[Xx]{NUMBER})?(?:[Yy]{NUMBER})?(?:[Zz]{NUMBER})?(?:[Ff]{NUMBER})?"
     r"(?:\([^()]*\)[ \t]*|;.*)?\r?$"
 )
+BLANK = (None,) * 5  # what a line without anything says
 FEWEST = 4  # lines, for which arrays are faster than one after the other
 
 
 def run_of(machine, lines, start):
-    """The plain lines from one on, as far as they go: what is in each, if the machine can take them so.
+    """The plain lines from one on to the last that moves: what is in each, if the machine can take them so.
 
     It can where the first place of all axes is known, so that a move is what its line says and no more.
     """
@@ -30,11 +31,13 @@ def run_of(machine, lines, start):
     for line in range(start, len(lines)):
         plain = match(lines[line])
         if plain is None:
-            if not lines[line].strip():  # found is a line each
-                found.append((None,) * 5)
-                continue
-            break
-        found.append(plain.groups())
+            if not found or lines[line].strip():
+                break
+            found.append(BLANK)  # found is a line each
+        else:
+            found.append(plain.groups())
+    while found and found[-1] is BLANK:
+        found.pop()
     return found if len(found) >= FEWEST else []
 
 

@@ -138,6 +138,7 @@ class Run:
             if said.keyword in ("else", "endif") or self.value(said):
                 self.next = part + 1
                 return
+            self.steps += 1  # loops look again at branches that they pass over
 
     def follow_elseif(self, said, line, construct):
         self.next = construct.end + 1  # a branch above has been run
@@ -180,7 +181,7 @@ class Run:
     def around(self, said, line):
         """The loop of a label that a line is in."""
         label = said.label(self.parameters)
-        loops = [loop for loop in self.flow.loops.get(label, ()) if loop.lines[0] < line < loop.end]
+        loops = [loop for loop in self.flow.around[line] if loop.label == label]
         if not loops:
             raise ShapeError(f"has {said.keyword} outside of a loop of its label")
         return loops[-1]
