@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
+from sweep_addon.core.machining import cells, removal
 from sweep_addon.core.machining.lattice import Lattice
 from sweep_addon.core.machining.removal import removed
 
@@ -68,6 +69,16 @@ def test_every_place_is_as_low_as_a_search_finds(name):
     expected = np.minimum(searched(rise, *moves), TOP)
     assert np.abs(heights - expected).max() < 1e-9
     assert ((heights < TOP) == (by >= 0)).all() and (expected < TOP).mean() > 0.5
+
+
+@pytest.mark.parametrize("most", [1, 30])
+def test_moves_of_which_few_fit_into_memory_at_once_leave_as_much(most, monkeypatch):
+    tool, rise = TOOLS["bull"]
+    moves, shared = random_moves(2), []
+    monkeypatch.setattr(removal, "shares", lambda counts: shared.append(cells.shares(counts, most)) or shared[-1])
+    heights, _ = cut(tool, *moves)
+    assert len(shared[0]) > 10 and np.array_equal(np.concatenate(shared[0]), np.unique(np.concatenate(shared[0])))
+    assert np.abs(heights - np.minimum(searched(rise, *moves), TOP)).max() < 1e-9
 
 
 @pytest.mark.parametrize("name", TOOLS)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
+from sweep_addon.core.machining import cells, gouging
 from sweep_addon.core.machining.lattice import Lattice
 from sweep_addon.core.machining.part import top_of
 
@@ -91,6 +92,25 @@ def test_rapid_moves_through_what_is_still_there_are_told_and_through_what_is_go
     assert before.rapid == {2: pytest.approx(0.001)}
     sunk = stock(["F9 G0 X0 Y0 Z5", "Z-1", "Z5", "G1 Z-3"]).verify()
     assert sunk.rapid == {2: pytest.approx(0.001)}
+
+
+def test_moves_of_which_few_fit_into_memory_at_once_are_told_by_the_same_lines(monkeypatch):
+    """The second tool comes back fast through what the first has cut, and goes aside through what stands."""
+    monkeypatch.setattr(gouging, "shares", lambda counts: cells.shares(counts, 10))
+    there = ["F9 T1 M6", "G0 X0 Y-20 Z5", "G1 Z-2", "Y20", "T2 M6", "G0 Y-20", "X9", "Z5"]
+    found = stock(there, tools=[(1, M.FlatEnd(0.006)), (2, M.FlatEnd(0.005))]).verify(
+        sw.solids.Block(0.06, 0.06, 0.0105).moved(z=-0.00675)
+    )
+    assert found.rapid == {7: pytest.approx(0.002)}
+    assert found.gouging == {line: pytest.approx(0.0005) for line in (3, 4, 7)}
+
+
+def test_a_part_may_be_cut_into_by_as_much_as_the_stock_says():
+    part = sw.solids.Block(0.06, 0.06, 0.0105).moved(z=-0.00675)  # its top half a millimetre above what is cut
+    lines = ["F9 G0 X0 Y-19 Z5", "G1 Z-2", "Y20", "G0 Z5"]
+    assert list(stock(lines).verify(part).gouging) == [2, 3]
+    assert M.verify(stock(lines, allowance=0.0006), part).correct
+    assert not M.verify(stock(lines, allowance=0.0006), part, allowance=0.0004).correct
 
 
 def test_rapid_moves_along_walls_that_are_cut_already_do_not_cut():

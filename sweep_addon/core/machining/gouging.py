@@ -4,8 +4,9 @@
 
 import numpy as np
 
+from .cells import shares
 from .lattice import SIDE
-from .moves import Moves, left, near_tiles
+from .moves import Moves, counted, left, near_tiles
 
 CHUNK = 8  # moves of a tile that are looked at at once
 WIDE = 2**15  # places of tiles times moves that are looked at at once
@@ -60,9 +61,9 @@ def rapid_cuts(machined):
     low = rapid & (np.minimum(machined.starts[:, 2], machined.ends[:, 2]) < top)
     if not low.any():
         return depths
-    tiles, _ = pairs(machined, low, np.full(count(machined.lattice), top))
-    ceiling = np.full(count(machined.lattice), -np.inf)
-    ceiling[tiles] = machined.high[2]
+    ceiling = np.full(machined.lattice.tile_count, -np.inf)
+    for tiles, _ in pairs(machined, low, np.full(len(ceiling), top)):
+        ceiling[tiles] = machined.high[2]
 
     def look(tiles, pieces, before, height, x, y):
         fast = low[pieces].any(axis=1)
@@ -86,41 +87,51 @@ def in_order(machined, ceiling, look):
         Is given the tiles (k,), the pieces (k, c), and (k, c, places) the heights before each and what each leaves; and
         the coordinates of the places (k, places).
     """
-    tiles, pieces = pairs(machined, np.ones(len(machined.starts), dtype=bool), ceiling)
+    heights = np.full((machined.lattice.tile_count, SIDE**2), machined.high[2])
+    for tiles, pieces in pairs(machined, np.ones(len(machined.starts), dtype=bool), ceiling):
+        some_in_order(machined, tiles, pieces, heights, look)
+
+
+def some_in_order(machined, tiles, pieces, heights, look):
+    """Those of `in_order` of some pairs of tiles and pieces, which lower the heights of the tiles."""
     starts = np.flatnonzero(np.diff(tiles, prepend=-1))
     ends = np.append(starts[1:], len(tiles))
     numbers = tiles[starts]
-    heights = np.full((len(starts), SIDE**2), machined.high[2])
     which, size = np.arange(len(starts)), max(1, WIDE // (CHUNK * SIDE**2))
     while len(which):
         for first in range(0, len(which), size):
             some = which[first : first + size]
             here = np.minimum(starts[some][:, None] + np.arange(CHUNK), ends[some][:, None] - 1)
-            x, y = places(machined.lattice, numbers[some])
+            x, y = machined.lattice.places(numbers[some])
             height = heights_left(machined, pieces[here], x, y)
-            after = np.minimum.accumulate(np.minimum(height, heights[some][:, None]), axis=1)
-            before = np.concatenate((heights[some][:, None], after[:, :-1]), axis=1)
+            now = heights[numbers[some]][:, None]
+            after = np.minimum.accumulate(np.minimum(height, now), axis=1)
+            before = np.concatenate((now, after[:, :-1]), axis=1)
             look(numbers[some], pieces[here], before, height, x, y)
-            heights[some] = after[:, -1]
+            heights[numbers[some]] = after[:, -1]
         starts = starts + CHUNK
         which = which[starts[which] < ends[which]]
 
 
-def count(lattice):
-    return lattice.tiles[0] * lattice.tiles[1]
-
-
 def pairs(machined, wanted, ceiling):
-    """Tiles and pieces of moves that come near them, by tiles and in each in the order of the program."""
-    found = []
+    """Tiles and pieces of moves that come near them, by tiles and in each in the order of the program.
+
+    There may be more than fit into memory: so they come in several pairs of arrays, of later and later pieces.
+    """
+    counts = np.zeros(len(machined.starts), dtype=np.int64)
     for tool, rows in machined.tools:
         rows = rows[wanted[rows]]
-        moves = Moves.between(machined.starts[rows], machined.ends[rows])
-        tiles, row, _ = near_tiles(tool, moves, machined.lattice, ceiling)
-        found.append((tiles, rows[row]))
-    tiles, pieces = (np.concatenate(part) for part in zip(*found, strict=True))
-    order = np.lexsort((pieces, tiles))
-    return tiles[order], pieces[order]
+        counts[rows] = counted(tool, Moves.between(machined.starts[rows], machined.ends[rows]), machined.lattice)
+    for some in shares(counts):
+        found = []
+        for tool, rows in machined.tools:
+            rows = np.intersect1d(rows, some, assume_unique=True)
+            moves = Moves.between(machined.starts[rows], machined.ends[rows])
+            tiles, row, _ = near_tiles(tool, moves, machined.lattice, ceiling)
+            found.append((tiles, rows[row]))
+        tiles, pieces = (np.concatenate(part) for part in zip(*found, strict=True))
+        order = np.lexsort((pieces, tiles))
+        yield tiles[order], pieces[order]
 
 
 def heights_left(machined, pieces, x, y, thinner=0.0):
@@ -134,12 +145,3 @@ def heights_left(machined, pieces, x, y, thinner=0.0):
             moves = Moves.between(machined.starts[pieces[own]], machined.ends[pieces[own]])
             found[tile, number] = left(cutter, moves.of(np.arange(len(tile))[:, None]), x[tile], y[tile])
     return found
-
-
-def places(lattice, tiles):
-    """The coordinates of the places of tiles: two (t, SIDE * SIDE) arrays."""
-    x, y = lattice.corners(tiles)
-    inside = np.arange(SIDE)
-    across = (lattice.step[0] * inside).repeat(SIDE)
-    along = np.tile(lattice.step[1] * inside, SIDE)
-    return x[:, None] + across, y[:, None] + along

@@ -48,6 +48,10 @@ class Lattice:
         """How many tiles there are along each axis; the last may reach beyond the places."""
         return tuple(-(-size // SIDE) for size in self.size)
 
+    @property
+    def tile_count(self):
+        return self.tiles[0] * self.tiles[1]
+
     def in_tiles(self, values, beyond):
         """Values (n, m) at the places as those of each tile, (t, SIDE, SIDE), with another value beyond."""
         nx, ny = self.tiles
@@ -65,3 +69,10 @@ class Lattice:
         """The first place of some tiles, by their numbers: two (k,) arrays."""
         nx, ny = np.divmod(tiles, self.tiles[1])
         return self.low[0] + self.step[0] * SIDE * nx, self.low[1] + self.step[1] * SIDE * ny
+
+    def places(self, tiles):
+        """The coordinates of all places of some tiles, by their numbers: two (k, SIDE * SIDE) arrays."""
+        x, y = self.corners(tiles)
+        inside = np.arange(SIDE)
+        along_x, along_y = (self.step[0] * inside).repeat(SIDE), np.tile(self.step[1] * inside, SIDE)
+        return x[:, None] + along_x, y[:, None] + along_y

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .cells import cells
 from .lattice import SIDE
-
-MANY = 2_000_000  # pairs of tiles and moves that are looked at at once
 
 
 @dataclass(frozen=True)
@@ -97,14 +96,19 @@ def near_tiles(tool, moves, lattice, ceiling):
         The pairs, by tiles and in each by the bound, so that what cuts deepest comes first.
     bounds : (p,) array
     """
-    found = [pairs for rows in blocks(tool, moves, lattice) for pairs in [near(tool, moves, lattice, ceiling, rows)]]
-    tiles, rows, bounds = (np.concatenate(part) for part in zip(*found, strict=True)) if found else nothing()
-    order = np.lexsort((bounds, tiles))
-    return tiles[order], rows[order], bounds[order]
+    first_x, last_x, first_y, last_y = boxes(tool, moves, lattice)
+    row, x, y = cells(np.maximum(last_x - first_x + 1, 0), np.maximum(last_y - first_y + 1, 0))
+    tile = (first_x[row] + x) * lattice.tiles[1] + first_y[row] + y
+    bound = lowest(tool, moves.of(row), lattice, tile)
+    kept = np.flatnonzero(bound < ceiling[tile])
+    kept = kept[np.lexsort((bound[kept], tile[kept]))]
+    return tile[kept], row[kept], bound[kept]
 
 
-def nothing():
-    return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0)
+def counted(tool, moves, lattice):
+    """How many tiles are looked at for each move: (m,) int array."""
+    first_x, last_x, first_y, last_y = boxes(tool, moves, lattice)
+    return np.maximum(last_x - first_x + 1, 0) * np.maximum(last_y - first_y + 1, 0)
 
 
 def boxes(tool, moves, lattice):
@@ -120,29 +124,6 @@ def boxes(tool, moves, lattice):
         spans.append((np.clip(low, 0, count).astype(np.int64), np.where(outside, -1, np.clip(high, 0, count - 1))))
     (left_, right), (below, above) = spans
     return left_, right.astype(np.int64), below, above.astype(np.int64)
-
-
-def blocks(tool, moves, lattice):
-    """Rows of moves, so many at once that their pairs with tiles fit into memory."""
-    first_x, last_x, first_y, last_y = boxes(tool, moves, lattice)
-    counts = np.maximum(last_x - first_x + 1, 0) * np.maximum(last_y - first_y + 1, 0)
-    rows = np.flatnonzero(counts)
-    part = np.cumsum(counts[rows]) // MANY
-    return np.split(rows, np.flatnonzero(np.diff(part)) + 1) if len(rows) else []
-
-
-def near(tool, moves, lattice, ceiling, rows):
-    """Those of `near_tiles` of some rows, in no order."""
-    moves = moves.of(rows)
-    first_x, last_x, first_y, last_y = boxes(tool, moves, lattice)
-    wide, high = last_x - first_x + 1, last_y - first_y + 1
-    row = np.repeat(np.arange(len(rows)), wide * high)
-    number = np.arange(len(row)) - np.repeat(np.cumsum(wide * high) - wide * high, wide * high)
-    across_x, across_y = np.divmod(number, high[row])
-    tile = (first_x[row] + across_x) * lattice.tiles[1] + first_y[row] + across_y
-    bound = lowest(tool, moves.of(row), lattice, tile)
-    kept = bound < ceiling[tile]
-    return tile[kept], rows[row[kept]], bound[kept]
 
 
 def lowest(tool, moves, lattice, tiles):

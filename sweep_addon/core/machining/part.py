@@ -4,7 +4,8 @@
 
 import numpy as np
 
-MANY = 2_000_000  # pairs of triangles and places that are looked at at once
+from .cells import cells, shares
+
 AWAY = 1e-9  # of the size of a triangle: so far beside it a place still counts as on it
 
 
@@ -36,9 +37,7 @@ def top_of(vertices, triangles, lattice, shift=(0.0, 0.0)):
     corners = vertices[triangles] - (*shift, 0.0)
     first, last = boxes(corners, lattice)
     counts = np.prod(np.maximum(last - first + 1, 0), axis=1)
-    rows = np.flatnonzero(counts)
-    blocks = np.split(rows, np.flatnonzero(np.diff(np.cumsum(counts[rows]) // MANY)) + 1)
-    for some in (block for block in blocks if len(block)):
+    for some in shares(counts):
         lift(found, corners[some], first[some], last[some], lattice)
     return found.reshape(lattice.size)
 
@@ -69,10 +68,7 @@ def boxes(corners, lattice):
 
 def lift(found, corners, first, last, lattice):
     """Raise heights to those of some triangles."""
-    wide, high = (last - first + 1).T
-    row = np.repeat(np.arange(len(corners)), wide * high)
-    number = np.arange(len(row)) - np.repeat(np.cumsum(wide * high) - wide * high, wide * high)
-    i, j = np.divmod(number, high[row])
+    row, i, j = cells(*(last - first + 1).T)
     i, j = i + first[row, 0], j + first[row, 1]
     x = lattice.low[0] + lattice.step[0] * i - corners[row, 0, 0]
     y = lattice.low[1] + lattice.step[1] * j - corners[row, 0, 1]

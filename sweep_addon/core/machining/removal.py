@@ -4,8 +4,10 @@
 
 import numpy as np
 
+from ..progress import unheard, within
+from .cells import shares
 from .lattice import SIDE
-from .moves import Moves, left, near_tiles
+from .moves import Moves, counted, left, near_tiles
 
 CHUNK = 8  # moves of a tile that are looked at at once: after that the tile may be as low as all others can make it
 WIDE = 2**15  # places of tiles times moves that are looked at at once, so that they stay in the processor's cache
@@ -46,9 +48,13 @@ def removed(tool, starts, ends, lattice, heights, lowered_by, rows=None, progres
     moves = Moves.between(starts, ends)
     tiled, by = lattice.in_tiles(heights, -np.inf), lattice.in_tiles(lowered_by, -1)
     tiled, by = tiled.reshape(len(tiled), -1), by.reshape(len(by), -1)
-    tiles, row, bounds = near_tiles(tool, moves, lattice, tiled.max(axis=1))
     own = np.arange(len(starts)) if rows is None else rows
-    lower_tiles(tool, moves, lattice, tiled, by, (tiles, row, bounds), own, progress or (lambda part: None))
+    parts = shares(counted(tool, moves, lattice))
+    for number, some in enumerate(parts):
+        few = moves.of(some)
+        pairs = near_tiles(tool, few, lattice, tiled.max(axis=1))
+        told = within(progress or unheard, number / len(parts), (number + 1) / len(parts))
+        lower_tiles(tool, few, lattice, tiled, by, pairs, own[some], told)
     return tuple(lattice.from_tiles(part.reshape(-1, SIDE, SIDE)) for part in (tiled, by))
 
 
@@ -73,13 +79,10 @@ def lower_tiles(tool, moves, lattice, tiled, by, pairs, own, progress):
 
 def lower(tool, moves, lattice, tiled, by, tiles, starts, ends, rows, own):
     """Lower some tiles by the next few moves of each."""
-    x, y = lattice.corners(tiles)
-    inside = np.arange(SIDE)
-    places_x = (x[:, None, None] + lattice.step[0] * inside[:, None]).repeat(SIDE, 2).reshape(len(tiles), 1, -1)
-    places_y = (y[:, None, None] + lattice.step[1] * inside).repeat(SIDE, 1).reshape(len(tiles), 1, -1)
+    x, y = lattice.places(tiles)
     here = np.minimum(starts[:, None] + np.arange(CHUNK), ends[:, None] - 1)  # the last again where there are fewer
     chosen = rows[here]
-    height = left(tool, moves.of(chosen[:, :, None]), places_x, places_y)
+    height = left(tool, moves.of(chosen[:, :, None]), x[:, None], y[:, None])
     best = height.argmin(axis=1)
     height = np.take_along_axis(height, best[:, None], axis=1)[:, 0]
     lowered = height < tiled[tiles]

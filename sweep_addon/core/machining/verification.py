@@ -16,7 +16,6 @@ from .cutting import Question, cut
 from .gouging import part_cuts, rapid_cuts
 from .part import seen_from_above, top_of
 
-ALLOWANCE = 2e-5  # metres: what arcs by chords and rounded numbers do is less
 BELOW = 1e-6  # metres below the bottom of the stock, from which on it is told
 FEW = 6  # lines that a sentence names
 FAULTS = ("The program cuts ", "The part reaches ", "Rapid moves cut ", "The tool goes ")  # how sentences of them begin
@@ -110,7 +109,7 @@ def named(lines):
     return f"lines {', '.join(worst[:-1])} and {worst[-1]}"
 
 
-def verify(stock, part=None, allowance=ALLOWANCE):
+def verify(stock, part=None, allowance=None):
     """Whether a program makes a part of its stock: what it cuts away of it, what it leaves, and by which lines.
 
     Parameters
@@ -119,8 +118,8 @@ def verify(stock, part=None, allowance=ALLOWANCE):
     part : Mesh, shape, solid or tree, optional
         The desired part, in the places of the program; by default that of the stock, which may be unknown. What can be
         seen of it from above counts.
-    allowance : float
-        How much may be cut away, in metres, to the side too.
+    allowance : float, optional
+        How much may be cut away, in metres, to the side too; by default what the stock says.
 
     Returns
     -------
@@ -154,7 +153,7 @@ def verify(stock, part=None, allowance=ALLOWANCE):
     found = {"rapid": by_line(machined, rapid_cuts(machined)), "below": by_line(machined, below_bottom(machined))}
     if mesh is None:
         return Verification(**found)
-    return Verification(**found, **beside_part(machined, mesh, allowance))
+    return Verification(**found, **beside_part(machined, mesh, stock.allowance if allowance is None else allowance))
 
 
 def part_of(value, name):
@@ -171,11 +170,11 @@ def part_of(value, name):
 
 def by_line(machined, depths):
     """How deep the worst move of each line goes, by the depths of some of the pieces of moves: dict of int to float."""
-    found = {}
-    for piece in np.flatnonzero(depths > 0):
-        line = int(machined.path.lines[machined.moves[piece]])
-        found[line] = max(found.get(line, 0.0), float(depths[piece]))
-    return found
+    deep = np.flatnonzero(depths > 0)
+    lines, which = np.unique(machined.path.lines[machined.moves[deep]], return_inverse=True)
+    worst = np.zeros(len(lines))
+    np.maximum.at(worst, which.ravel(), depths[deep])
+    return dict(zip(lines.tolist(), worst.tolist(), strict=True))
 
 
 def below_bottom(machined):

@@ -75,6 +75,7 @@ class MachinedStock(Operand):
     tolerance: float = parameter(1e-5, "How far chords may be from arcs", unit="length", above=0.0)
     part: Part = parameter(Unknown(), "The desired part, with which what is left is compared", accepts=("MESH",),
                            group="Part")  # fmt: skip
+    # arcs by chords and rounded numbers cut less away than this
     allowance: float = parameter(2e-5, "How much may be cut away of the part before that is told", unit="length",
                                  minimum=0.0, group="Part")  # fmt: skip
     attributes: bool = parameter(True, "Keep depth, line and deviation from the part of each vertex",
@@ -129,7 +130,7 @@ class MachinedStock(Operand):
         >>> found.correct, found.sentences()
         (True, ())
         """
-        return milling.verify(self, part, self.allowance)
+        return milling.verify(self, part)
 
     @property
     def make_solid(self):

@@ -32,7 +32,7 @@ def mesh(shape, dtype=np.float64):
 
 def made(shape, progress):
     machined = cut(Question.of(shape, progress))
-    found = verify(shape, None, shape.allowance)
+    found = verify(shape)
     left = remains(machined.lattice, machined.heights, machined.low[2], machined.high[2])
     solid = left.mesh(told=(*told(shape, machined), *found.sentences()))
     values = attributes(machined, found, left) if shape.attributes else {}

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...vectors import cross, dot, norms
+from ..cells import cells
+
 RAPID, FEED, ARC, SPLINE = range(4)
 
 
@@ -78,15 +81,25 @@ class Toolpath:
         """
         counts = self.pieces(tolerance)
         moves = np.repeat(np.arange(len(self)), counts)
-        last = np.cumsum(counts)
         ends = self.points[moves]
-        for arc, centre, turn in zip(self.arcs, self.centres, self.turns, strict=True):
-            if counts[arc] > 1:  # the last point is that of the program itself
-                parts = np.arange(1, counts[arc]) / counts[arc]
-                start = self.points[arc - 1] if arc else np.zeros(3)
-                ends[last[arc] - counts[arc] : last[arc] - 1] = along(start, self.points[arc], centre, turn, parts)
+        chords, first = counts[self.arcs], (np.cumsum(counts) - counts)[self.arcs]
+        inner = np.maximum(chords - 1, 0)  # the last point of an arc is that of the program itself
+        arc, before, _ = cells(inner, np.ones_like(inner))
+        ends[first[arc] + before] = self.along_arcs(arc, (before + 1) / chords[arc])
         begin = self.points[self.first - 1] if self.first else np.zeros(3)
         return np.concatenate((begin[None], ends[:-1]))[: len(ends)], ends, moves
+
+    def along_arcs(self, arc, parts):
+        """Points of some arcs (k,) at parts of their ways; a radius goes evenly from that of the start to the end's."""
+        starts, angles = self.starts[self.arcs], norms(self.turns)
+        axes = self.turns / angles[:, None]
+        out, final = starts - self.centres, self.points[self.arcs] - self.centres
+        risen, rise = dot(out, axes), dot(final - out, axes)
+        radial, final = out - risen[:, None] * axes, final - (risen + rise)[:, None] * axes
+        growth = norms(final) / np.maximum(norms(radial), 1e-300) - 1
+        turned, wide = (angles[arc] * parts)[:, None], (1 + parts * growth[arc])[:, None]
+        around = np.cos(turned) * radial[arc] + np.sin(turned) * cross(axes, radial)[arc]
+        return self.centres[arc] + wide * around + (risen[arc] + parts * rise[arc])[:, None] * axes[arc]
 
     def pieces(self, tolerance):
         """How many straight pieces each move has: one, an arc as many as keep within a tolerance: (n,) int array."""
@@ -110,16 +123,3 @@ def chords(radii, angles, tolerance):
     """How many equal chords stay within a tolerance of arcs: (k,)."""
     sagitta = np.clip(tolerance / np.maximum(radii, 1e-300), 1e-12, 1.0)
     return np.maximum(1, np.ceil(angles / (2 * np.arccos(1 - sagitta)) - 1e-9)).astype(np.int64)
-
-
-def along(start, end, centre, turn, parts):
-    """Points of an arc or helix at parts of its way; its radius goes evenly from that of the start to the end's."""
-    angle = np.linalg.norm(turn)
-    axis = turn / angle
-    radial = start - centre - axis * ((start - centre) @ axis)
-    side = np.cross(axis, radial)
-    final = end - centre - axis * ((end - centre) @ axis)
-    growth = 1 + parts * (np.linalg.norm(final) / max(np.linalg.norm(radial), 1e-300) - 1)
-    lift = (start - centre) @ axis + parts * ((end - start) @ axis)
-    turned = np.cos(angle * parts)[:, None] * radial + np.sin(angle * parts)[:, None] * side
-    return centre + growth[:, None] * turned + lift[:, None] * axis
