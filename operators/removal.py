@@ -66,7 +66,7 @@ class OBJECT_OT_sweep_find_removal_path(Operator):
         if event.type != "TIMER":
             return {"RUNNING_MODAL"}  # what is searched among stays as it is
         if not self.search.done:
-            context.window_manager.progress_update(self.search.part)
+            context.window_manager.progress_update(self.search.share)
             return {"RUNNING_MODAL"}
         self.cancel(context)
         return self.finished(context, self.search)

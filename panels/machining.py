@@ -6,7 +6,7 @@ import re
 
 from ..sweep_addon.core.later import later
 
-faults = later("core.machining.verification", "is_fault")
+is_fault = later("core.machining.verification", "is_fault")
 
 LINE = re.compile(r"\blines? (\d+)")
 GONE = "The text is not there any more: New makes one of what is remembered of it."
@@ -26,7 +26,7 @@ def draw_told(layout, sweep, say):
     if sweep.error:
         draw_line(layout, sweep.error)
     for sentence in filter(None, sweep.told.split("\n")):
-        wrong = faults(sentence)
+        wrong = is_fault(sentence)
         say(layout, sentence, "ERROR" if wrong else "INFO", alert=wrong)
         if wrong:
             draw_line(layout, sentence)

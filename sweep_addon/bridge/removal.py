@@ -11,7 +11,7 @@ from mathutils import Matrix
 from ..core.csg.meshes import transformed
 from ..core.declared.parameters import ShapeError, at, require
 from ..core.removal import removal_path
-from . import meshes, models
+from . import meshes, models, placing
 
 FAILED = "The search failed: the terminal shows why"
 
@@ -25,7 +25,7 @@ class Search:
 
     Attributes
     ----------
-    part : float
+    share : float
         How much is done, from 0 to 1.
     path : RemovalPath or None
     volume : Mesh or None
@@ -36,7 +36,7 @@ class Search:
 
     def __init__(self, part, others, tolerance=None, seed=0):
         self.given = part, others, tolerance, seed
-        self.part, self.path, self.volume, self.why_not, self.stopping = 0.0, None, None, FAILED, False
+        self.share, self.path, self.volume, self.why_not, self.stopping = 0.0, None, None, FAILED, False
         self.thread = Thread(target=self.run, daemon=True)
         self.thread.start()
 
@@ -58,10 +58,10 @@ class Search:
         except ShapeError as refusal:
             self.why_not = str(refusal)
 
-    def tell(self, part):
+    def tell(self, share):
         if self.stopping:
             raise StoppedError
-        self.part = part
+        self.share = share
 
     def stop(self):
         """End before the next step."""
@@ -94,8 +94,7 @@ def keep_empty(context, part, volume):
     """A new object of the volume that must stay empty, drawn as a wire, with the part's name."""
     made = bpy.data.meshes.new(f"{part.name} Removal")
     meshes.write(made, volume.astype("f4"))
-    ob = bpy.data.objects.new(made.name, made)
-    context.collection.objects.link(ob)
+    ob = placing.link(context, made)
     ob.display_type = "WIRE"
     ob.hide_render = True
     return ob

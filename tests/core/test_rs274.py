@@ -186,6 +186,8 @@ def test_plain_lines_read_at_once_are_those_read_one_by_one(monkeypatch):
         ("G0 A90", "line 1 moves A to 90; programs of three axes are read, and others keep 0"),
         ("G0 X[1 + ]", "line 1 needs a number before ']'"),
         ("G0 X[1", "line 1 needs ']' at its end"),
+        ("G0 X\u0661", "line 1 needs a number before '\u0661'"),
+        ("G1 F9 X1 Y1 Z1\nX2\nX\u0662\nX3\nX4\nX5", "line 3 needs a number before '\u0662'"),
         ("G0 X#<size>", "line 1 asks for parameter #<size>, which is not set"),
         ("G0 X#5063", "line 1 asks for parameter #5063, which only a machine knows"),
         ("#5221 = 3", "line 1 sets parameter #5221, which is the machine's: a program may set #1 to #5000"),

@@ -11,7 +11,7 @@ from .expressions import NUMBER, Text, bracket, named, parameter_key, value, who
 
 ASIDE = re.compile(r"\([^()]*\)|;.*")
 BLANK = re.compile(r"\s+")
-LABEL = re.compile(r"\d+")
+LABEL = re.compile(r"\d+", re.ASCII)
 KEYWORD = re.compile("endsub|sub|call|return|elseif|else|endif|if|endwhile|while|do|endrepeat|repeat|break|continue|$")
 LONGEST = 256  # as LinuxCNC has it
 KEYWORD_ARGUMENTS = {"if": 1, "elseif": 1, "while": 1, "repeat": 1, "call": 30, "return": 1, "endsub": 1}

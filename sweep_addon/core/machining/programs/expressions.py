@@ -11,7 +11,7 @@ import re
 from ...declared.refusals import ShapeError
 from ...declared.wording import shown
 
-NUMBER = re.compile(r"\d+\.?\d*|\.\d+")
+NUMBER = re.compile(r"\d+\.?\d*|\.\d+", re.ASCII)
 DEEPEST = 60  # values within values
 LARGEST = 1e12
 CLOSE = 1e-4  # what numbers may differ by and be equal, as LinuxCNC has it

@@ -10,7 +10,7 @@ from .blocks import bare, block
 from .lines import at_line
 
 FLOW = re.compile(r"(?:n[\d.]+)?o")
-LABELLED = re.compile(r"(?:n[\d.]+)?o(?:<([^>]+)>|(\d+))")
+LABELLED = re.compile(r"(?:n[\d.]+)?o(?:<([^>]+)>|(\d+))", re.ASCII)
 DEEPEST = 100  # loops and branches within each other
 LOOPS = ("repeat", "while", "do")
 CLOSED_BY = {"if": "endif", "repeat": "endrepeat", "while": "endwhile", "do": "while", "sub": "endsub"}

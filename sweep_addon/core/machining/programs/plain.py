@@ -14,7 +14,8 @@ NUMBER = r"([-+]?(?:\d+(?:\.\d*)?|\.\d+))[ \t]*"  # read in one way only, so tha
 LINE = re.compile(
     rf"[ \t]*(?:[Nn]\d+[ \t]*)?(?:[Gg]0*([01])(?![\d.])[ \t]*)?"
     rf"(?=[XYZxyz])(?:[Xx]{NUMBER})?(?:[Yy]{NUMBER})?(?:[Zz]{NUMBER})?(?:[Ff]{NUMBER})?"
-    r"(?:\([^()]*\)[ \t]*|;.*)?\r?$"
+    r"(?:\([^()]*\)[ \t]*|;.*)?\r?$",
+    re.ASCII,
 )
 BLANK = (None,) * 5  # what a line without anything says
 FEWEST = 4  # lines, for which arrays are faster than one after the other
