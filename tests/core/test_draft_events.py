@@ -118,6 +118,11 @@ def test_steps_cut_faces_at_their_heights():
     assert tall.max() < 0.1 + 1e-9, "no face goes past a step"
 
 
+def test_steps_of_more_than_a_million_places_are_refused():
+    with pytest.raises(ShapeError, match="^steps: must be at most 83333 where edges of the contour vanish or meet"):
+        roofed([comb(3)], 0.4, steps=83_334).mesh()
+
+
 def test_contours_of_frames_are_those_of_the_heights():
     """A comb parts in as many loops as it has teeth."""
     frames = roofed([comb(3)], 0.4, steps=4).frames()

@@ -24,6 +24,7 @@ from .events import ALIKE, UNDECIDED, followed
 from .wavefront import Wavefront
 
 MOST = 4096  # points of a section: each is looked at beside each edge
+MOST_NODES = 1_000_000  # of all steps, a hundredth of a millisecond each
 BOTTOM, TOP = -1, -2  # the source of the faces of caps
 CORNER = np.cos(np.radians(20))  # edges that turn by more are sharp, as those of a section
 
@@ -175,20 +176,19 @@ def faces_of(front, section, number, places):
         if band < front.rises[-1][-1]:
             halves.setdefault((source, band + 1), []).append((start, end))
     for (source, _), some in halves.items():
-        along = np.abs(places) @ (0, 0, 1), places[:, :2] @ front.ways[source]
-        for loop in traced(some, along):
+        for loop in traced(some, places, front.ways[source]):
             yield from ((source, part) for part in simple(number[loop].tolist()))
 
 
-def traced(halves, along):
+def traced(halves, places, way):
     """The loops of directed edges of one plane; where several leave a node, the one that closes the nearest wedge."""
     leaving, found = {}, []
     for start, end in halves:
         leaving.setdefault(start, []).append(end)
-    height, across = along
 
     def angle(start, end):
-        return atan2(height[end] - height[start], across[end] - across[start])
+        x, y, height = places[end] - places[start]
+        return atan2(height, x * way[0] + y * way[1])
 
     while leaving:
         loop = [next(iter(leaving))]
@@ -197,8 +197,11 @@ def traced(halves, along):
             ends = leaving.get(here)
             if not ends:
                 raise ShapeError(UNDECIDED)
-            back = angle(here, loop[-2]) if len(loop) > 1 else 0.0
-            after = min(ends, key=lambda end: (back - angle(here, end) - 1e-9) % (2 * pi)) if len(ends) > 1 else ends[0]  # noqa: B023
+            after = ends[0]
+            if len(ends) > 1:
+                back = angle(here, loop[-2]) if len(loop) > 1 else 0.0
+                wedges = [(back - angle(here, end) - 1e-9) % (2 * pi) for end in ends]
+                after = ends[wedges.index(min(wedges))]
             ends.remove(after)
             if not ends:
                 del leaving[here]
@@ -228,9 +231,10 @@ def simple(loop):
 
 def loops_of(front, places):
     """The loops at each height where a wavefront was stopped: dict of float to list of (k, 2) arrays."""
-    found = {}
-    for band in range(front.band):
-        pairs = [(start, end) for start, end, _, at in front.levels if at == band]
+    found, bands = {}, {}
+    for start, end, _, band in front.levels:
+        bands.setdefault(band, []).append((start, end))
+    for pairs in bands.values():
         after, loops = dict(pairs), []
         while after:
             first, node = next(iter(after.items()))

@@ -128,6 +128,9 @@ def roof_of(sweep, section, heights):
         return None
     if isinstance(sweep.contour, Mixed) or len(section.points) > roofs.MOST:
         return None
+    most = roofs.MOST_NODES // len(section.points)
+    sentence = f"must be at most {most} where edges of the contour vanish or meet"
+    require(sweep.steps <= most, sentence, sweep.steps, "steps")
     closed = tuple(isinstance(end, Flat) for end in (sweep.start, sweep.end))
     try:
         made = roofs.roof(section, tuple(slopes.tolist()), tuple(heights.tolist()), closed)
