@@ -130,6 +130,19 @@ def test_progress_is_told_and_may_end_the_work():
 
 
 @pytest.mark.parametrize(
+    ("program", "cell", "waits"),
+    [
+        ("F9 G0 X9 Y0 Z0\nG3 I-9 Z-1 P9", 0.001, False),
+        ("F9 G0 X9 Y0 Z0\nG3 I-9 Z-1 P9000", 0.001, True),  # with more than ten chords a turn
+        ("F9 G0 X9 Y0 Z0\nG3 I-9 Z-1 P9", 0.00007, True),
+        ("F9 G0 X9 Y0 Z0\nG3 I-9 Z-1 P9\n" + "(aside)\n" * 20_000, 0.001, True),
+    ],
+)
+def test_a_person_need_not_wait_for_what_takes_long(program, cell, waits):
+    assert sw.MachinedStock(program, stock=PLATE, cell=cell).make_solid == waits
+
+
+@pytest.mark.parametrize(
     ("told", "sentence"),
     [
         ({"program": "G0 X1\nG9.9"}, "program: line 2 has G9.9, which is not known"),

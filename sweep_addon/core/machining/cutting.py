@@ -20,7 +20,7 @@ COARSEST = 256  # cells along the longer side of the stock, where nobody says ho
 MOST_PLACES = 4_000_000
 MOST_PIECES = 4_000_000  # of moves, of which arcs have many
 NOTHING = "must move a tool from a place that is known to another, got a text that does not"
-LONG, MANY = 100_000, 300_000  # characters of a program and places, beyond which a person would wait
+LONG, MANY = 100_000, 300_000  # characters of a program or pieces of its moves, and places: a person waits for more
 
 
 @lru_cache(maxsize=4)
@@ -151,8 +151,8 @@ def used(question, numbers):
 
 
 def takes_long(shape):
-    """Whether a person would wait for the mesh: of a long program, or on many places."""
+    """Whether a person would wait for the mesh: of a long program, of many moves, or on many places."""
     if len(shape.program) > LONG:
         return True
-    lattice = laid_out(Question.of(shape)).lattice
-    return lattice.size[0] * lattice.size[1] > MANY
+    found = laid_out(Question.of(shape))
+    return len(found.starts) > LONG or found.lattice.size[0] * found.lattice.size[1] > MANY
