@@ -14,7 +14,7 @@ def remove(told):
     """Say on which path the shape of a job gets out from among those of other jobs, or that none was found: then it
     ends with 1."""
     part = verbs.read(told.part).shape
-    others = {Path(path).stem: verbs.read(path).shape for path in told.others}
+    others = {name: verbs.read(path).shape for name, path in zip(names(told.others), told.others, strict=True)}
     path = removal_path(part, others, tolerance=told.tolerance, seed=told.seed)
     verbs.say(f"{told.part}: {path}")
     if not path:
@@ -22,3 +22,13 @@ def remove(told):
     held = f"{path.tolerance:.3g} m deep in others at most" if path.tolerance else f"{path.clearance:.3g} m clear"
     verbs.say(f"{told.part}: {held}, certified")
     return 0
+
+
+def names(paths):
+    """What people call the shapes of job files: as the file, and with its folder where two are called alike.
+
+    >>> names(["one/lid.toml", "one/box.toml", "two/box.toml"])
+    ['lid', 'one/box.toml', 'two/box.toml']
+    """
+    stems = [Path(path).stem for path in paths]
+    return [stem if stems.count(stem) == 1 else path for stem, path in zip(stems, paths, strict=True)]

@@ -69,7 +69,7 @@ class Search:
 
 
 def assembly(part, others):
-    """The meshes of a part and of other objects as they are shown, in the space of the world, the others by name.
+    """The meshes of a part and of other objects as they are shown, in the space of the world, the others by full name.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def assembly(part, others):
     """
     depsgraph = bpy.context.evaluated_depsgraph_get()
     require(others, "must have at least one: select the meshes that stay too", 0, "others")
-    return in_world(part, depsgraph), {other.name: in_world(other, depsgraph) for other in others}
+    return in_world(part, depsgraph), {other.name_full: in_world(other, depsgraph) for other in others}
 
 
 def in_world(ob, depsgraph):

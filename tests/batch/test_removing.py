@@ -41,6 +41,16 @@ def test_where_there_is_none_it_ends_with_1(jobs, capsys):
     assert capsys.readouterr().out == f"{jobs['plug']}: None: shell encloses the part\n"
 
 
+def test_jobs_of_one_name_in_two_folders_are_two_parts(jobs, tmp_path, capsys):
+    """Neither of which is left out: the shell holds the plug, whichever comes first."""
+    (tmp_path / "other").mkdir()
+    same = tmp_path / "other" / "plate.toml"
+    same.write_text((tmp_path / "shell.toml").read_text())
+    for others in ([jobs["plate"], str(same)], [str(same), jobs["plate"]]):
+        assert main(["remove", jobs["plug"], *others]) == 1
+        assert capsys.readouterr().out == f"{jobs['plug']}: None: {same} encloses the part\n"
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
