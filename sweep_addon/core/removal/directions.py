@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..vectors import cross, dot, norms, unit
+from ..vectors import cross, norms, unit
 
 ALIKE = 1e-6  # 1 - cosine: directions that differ by less are one
 FEW = 12  # normals of the part that count, and of all around, those of the largest faces
@@ -59,8 +59,9 @@ def own_axes(part):
 
 def distinct(directions):
     """Directions (n, 3) without zeros and repetitions, in their order."""
-    kept = []
-    for direction in directions:
-        if norms(direction) > 0.5 and all(dot(direction, other) < 1 - ALIKE for other in kept):
-            kept.append(direction)
-    return np.array(kept).reshape(-1, 3)
+    directions = directions[norms(directions) > 0.5]
+    alike, kept = directions @ directions.T >= 1 - ALIKE, []
+    for number in range(len(directions)):
+        if not alike[number, kept].any():
+            kept.append(number)
+    return directions[kept]

@@ -15,11 +15,10 @@ import numpy as np
 
 from ..declared.parameters import ShapeError
 from .meetings import Meeting
-from .wavefront import PARALLEL, TOUCHING
+from .wavefront import PARALLEL, TOUCHING, UNDECIDED
 
 ALIKE = 1e-6  # of the size: at a height where faces end, what Blender's single precision hardly tells apart
 NARROW = 1e-3  # radians: what is looked at for edges that lie on each other but for a tolerance
-UNDECIDED = "must not lead edges to where rounding decides how they meet"
 
 
 def followed(front, heights):

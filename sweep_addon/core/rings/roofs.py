@@ -20,8 +20,8 @@ from ..meshes.mesh import Topology
 from ..meshes.runs import following
 from ..vectors import dot
 from . import caps
-from .events import ALIKE, UNDECIDED, followed
-from .wavefront import Wavefront
+from .events import ALIKE, followed
+from .wavefront import UNDECIDED, Wavefront
 
 MOST = 4096  # points of a section: each is looked at beside each edge
 MOST_NODES = 1_000_000  # of all steps, a hundredth of a millisecond each

@@ -18,6 +18,7 @@ PARALLEL = 1e-9  # the sine of the angle between lines that never meet
 SURE = 1e-5  # of the size: what is farther apart does not meet, however it rounds
 BEYOND = 1.001  # times the height: what happens hardly beyond it is taken to be there
 MOST_EVENTS = 8  # for each edge: a contour has fewer, so rounding goes round in circles
+UNDECIDED = "must not lead edges to where rounding decides how they meet"
 KEPT = {  # of each vertex: its shape, and what stands for none
     "place": ((2,), 0.0),  # where it was born
     "since": ((), 0.0),  # at which height
@@ -166,7 +167,7 @@ class Wavefront:
         """Refuse more events than edges can have."""
         self.left -= 1
         if self.left < 0:
-            raise ShapeError("must not lead edges to where rounding decides how they meet")
+            raise ShapeError(UNDECIDED)
 
     def due(self):
         """The height at which something happens next, or infinite; lines reached beside their edges are passed over."""
