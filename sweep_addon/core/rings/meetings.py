@@ -101,11 +101,13 @@ class Meeting:
 
     def near_pair(self, numbers):
         """Two groups at one place, of those that are sorted by x; or None."""
-        for rank, one in enumerate(numbers):
-            for other in numbers[rank + 1 :]:
-                x, y = self.places[other] - self.places[one]
-                if x > self.near:
-                    break
-                if abs(y) <= self.near:
-                    return min(one, other), max(one, other)
+        places = np.array([self.places[number] for number in numbers])
+        for ahead in range(1, len(numbers)):  # of a comb across x many are at one x
+            x, y = (places[ahead:] - places[:-ahead]).T
+            if not (x <= self.near).any():
+                break
+            together = np.flatnonzero((x <= self.near) & (np.abs(y) <= self.near))
+            if len(together):
+                pair = numbers[together[0]], numbers[together[0] + ahead]
+                return min(pair), max(pair)
         return None
