@@ -9,9 +9,9 @@ from planted_assemblies import caged_ball, dovetail, drawer, overlaps, shelled, 
 import sweep_addon as sw
 from sweep_addon.core.meshes.polyhedron import polyhedron
 from sweep_addon.core.removal.directions import candidates
-from sweep_addon.core.removal.finding import NEAR, scene_of
+from sweep_addon.core.removal.finding import scene_of
 from sweep_addon.core.removal.legs import START
-from sweep_addon.core.removal.slipping import Contacts
+from sweep_addon.core.removal.slipping import NEAR, Contacts
 from sweep_addon.core.removal.straight import ways_out
 from sweep_addon.core.solids import Ball, Block
 

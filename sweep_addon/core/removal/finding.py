@@ -15,14 +15,13 @@ from .moves import Scene
 from .obstacles import refuse_overlap, seal
 from .path import RemovalPath
 from .several import chains
-from .slipping import Contacts
+from .slipping import NEAR, Contacts
 from .straight import ways_out
 from .trees import grown, shortened
 
 RELATIVE, LARGEST = 1e-3, 0.1  # of the size of the part: the tolerance where none is given, and the largest
 BUDGET = 200_000  # poses that are tried
 AGAIN = 20_000  # after which trees begin anew: most that arrive do so soon
-NEAR = 2  # tolerances: as near others touch the part
 
 
 def removal_path(part, others, tolerance=None, distance=None, seed=0, budget=BUDGET, progress=None):

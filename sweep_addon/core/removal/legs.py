@@ -89,9 +89,14 @@ class Leg:
 
 def turn(axis, angle):
     """The rotation about a unit axis (3,) by an angle: (3, 3) float array. Source: Rodrigues' formula."""
-    x, y, z = axis
-    across = np.array([(0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)])
+    across = crossing(axis)
     return np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * (across @ across)
+
+
+def crossing(vector):
+    """The matrix that makes of each vector the cross product of this one (3,) with it: (3, 3) float array."""
+    x, y, z = vector
+    return np.array([(0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)])
 
 
 def poses(legs):

@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..declared.frozen import individual
+from ..declared.parameters import require
 from .legs import poses
 
 
@@ -93,9 +94,7 @@ class RemovalPath:
         >>> sw.classify(swept, [(0, 0, 0), (0, 0, -0.4)]).tolist()
         [1, -1]
         """
-        from ..declared.parameters import require
-
         require(self.legs, "must have a path", self.said, "path")
-        from .volumes import swept
+        from .volumes import swept  # which asks manifold3d
 
         return swept(self.part, self.legs)

@@ -11,7 +11,7 @@ from .bodies import Body
 from .directions import candidates
 from .legs import START, Leg
 from .screws import screws
-from .slipping import Contacts
+from .slipping import NEAR, Contacts
 from .stops import stops
 from .straight import ways_out
 
@@ -47,7 +47,7 @@ class Place:
     def of(cls, scene, pose, legs):
         """The place of a pose."""
         posed = Body(scene.part.name, pose.of(scene.part.vertices), scene.part.triangles)
-        touching = Contacts.of(posed, scene.others, 2 * scene.tolerance)
+        touching = Contacts.of(posed, scene.others, NEAR * scene.tolerance)
         return cls(pose, legs, posed, touching, candidates(posed, scene.others, touching))
 
     def motions(self, scene):

@@ -8,6 +8,7 @@ from ..declared.frozen import individual
 from ..distance import nearest
 from ..vectors import cross, dot, norms, unit
 
+NEAR = 2  # contact tolerances: as near others touch a part
 SAMPLES = 1500  # places of the surface that are looked at, roughly
 SMOOTH = np.radians(30)  # between triangles that stand for one smooth surface
 SLIPS = 0.05  # of the speed of a motion: less than that along the normals is sliding

@@ -6,12 +6,12 @@ import numpy as np
 
 from ..grammars.deriving.draws import GOLDEN, mixed
 from .directions import own_axes
-from .legs import START, Leg, Pose, poses
+from .legs import START, Leg, Pose, crossing, poses
+from .stops import SHORTEST
 
 STEP = 0.2  # of the part's size is a step of a tree
 ROOM = 0.5  # of the part's size around all, in which poses are drawn
 RANDOM = 0.3  # of the draws are of all poses
-SHORTEST = 0.01  # of the part's size: shorter motions lead nowhere
 ATTEMPTS = 400  # to shorten a path
 TURNED = 0.25  # of the part's size for a radian: how far a turn counts
 
@@ -203,9 +203,8 @@ def between(one, other):
 
 def rotation(quaternion):
     """The rotation of a unit quaternion (w, x, y, z): (3, 3) float array."""
-    w, (x, y, z) = quaternion[0], quaternion[1:]
-    across = np.array([(0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)])
-    return np.eye(3) + 2 * w * across + 2 * across @ across
+    across = crossing(quaternion[1:])
+    return np.eye(3) + 2 * quaternion[0] * across + 2 * across @ across
 
 
 def row(pose):
