@@ -129,6 +129,27 @@ def test_progress_is_told_and_may_end_the_work():
     assert len(stock.solid(parts.append).vertices) and parts == sorted(parts) and parts[-1] == 1.0
 
 
+def test_comparing_with_a_part_tells_its_progress_and_may_be_ended():
+    """It takes the second half; there are rapid moves that cut, and a part that is cut into."""
+    text = "F9 G0 X0 Y0 Z5\nG1 Z-1\n" + "\n".join(f"G{i % 2} X{i % 17 - 8} Y{i % 13 - 6}" for i in range(400))
+    part = sw.solids.Triangles.of(sw.solids.Block(0.04, 0.04, 0.002).moved(z=-0.0015).mesh())
+    stock = sw.MachinedStock(text, stock=PLATE, part=part, cell=0.0003)
+    parts = []
+    stock.solid(parts.append)
+    assert len({part for part in parts if 0.5 < part < 0.75}) > 3 and len({part for part in parts if part > 0.75}) > 3
+    assert parts == sorted(parts) and parts[-1] == 1.0
+
+    class StoppedError(Exception):
+        pass
+
+    def stop(part):
+        if part > 0.8:
+            raise StoppedError
+
+    with pytest.raises(StoppedError):
+        stock.solid(stop)
+
+
 @pytest.mark.parametrize(
     ("program", "cell", "waits"),
     [

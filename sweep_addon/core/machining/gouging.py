@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..progress import unheard, within
 from .cells import shares
 from .lattice import SIDE
 from .moves import Moves, counted, left, near_tiles
@@ -29,7 +30,7 @@ class Thinner:
         return self.tool.ahead(across, slope)
 
 
-def part_cuts(machined, limits, allowance):
+def part_cuts(machined, limits, allowance, progress=unheard):
     """How far each piece of a move cuts into what must be left, where that is still there when it comes: (m,) array.
 
     Parameters
@@ -39,6 +40,8 @@ def part_cuts(machined, limits, allowance):
         Heights that must be left at the places of the lattice, -inf where anything may be cut.
     allowance : float
         What the limits already leave of the part, which counts where one is passed.
+    progress : callable
+        Is told which part is done, from 0 to 1; what it raises ends the work.
     """
     depths = np.zeros(len(machined.starts))
     tiled = machined.lattice.in_tiles(limits, -np.inf).reshape(-1, SIDE**2)
@@ -49,11 +52,11 @@ def part_cuts(machined, limits, allowance):
         into = np.where(new, limit - height + allowance, 0.0).max(axis=2)
         np.maximum.at(depths, pieces, into)
 
-    in_order(machined, tiled.max(axis=1), look)
+    in_order(machined, tiled.max(axis=1), look, progress)
     return depths
 
 
-def rapid_cuts(machined):
+def rapid_cuts(machined, progress=unheard):
     """How far each rapid piece cuts into what is there when it comes: (m,) array, 0 where it does not."""
     depths = np.zeros(len(machined.starts))
     rapid = machined.path.rapid[machined.moves]
@@ -71,11 +74,11 @@ def rapid_cuts(machined):
         into = np.where(low[pieces[fast]], (before[fast] - thin).max(axis=2), 0.0)
         np.maximum.at(depths, pieces[fast], np.where(into > TOUCHING, into, 0.0))
 
-    in_order(machined, ceiling, look)
+    in_order(machined, ceiling, look, progress)
     return depths
 
 
-def in_order(machined, ceiling, look):
+def in_order(machined, ceiling, look, progress):
     """Cut tiles by the pieces of moves one after the other, and look at each.
 
     Parameters
@@ -86,13 +89,17 @@ def in_order(machined, ceiling, look):
     look : callable
         Is given the tiles (k,), the pieces (k, c), and (k, c, places) the heights before each and what each leaves; and
         the coordinates of the places (k, places).
+    progress : callable
     """
     heights = np.full((machined.lattice.tile_count, SIDE**2), machined.high[2])
-    for tiles, pieces in pairs(machined, np.ones(len(machined.starts), dtype=bool), ceiling):
-        some_in_order(machined, tiles, pieces, heights, look)
+    count, done = len(machined.starts), 0.0
+    for tiles, pieces in pairs(machined, np.ones(count, dtype=bool), ceiling):
+        share = (int(pieces.max(initial=-1)) + 1) / count
+        some_in_order(machined, tiles, pieces, heights, look, within(progress, done, max(done, share)))
+        done = max(done, share)
 
 
-def some_in_order(machined, tiles, pieces, heights, look):
+def some_in_order(machined, tiles, pieces, heights, look, progress):
     """Those of `in_order` of some pairs of tiles and pieces, which lower the heights of the tiles."""
     starts = np.flatnonzero(np.diff(tiles, prepend=-1))
     ends = np.append(starts[1:], len(tiles))
@@ -111,6 +118,7 @@ def some_in_order(machined, tiles, pieces, heights, look):
             heights[numbers[some]] = after[:, -1]
         starts = starts + CHUNK
         which = which[starts[which] < ends[which]]
+        progress(1 - (ends[which] - starts[which]).sum() / len(tiles))
 
 
 def pairs(machined, wanted, ceiling):

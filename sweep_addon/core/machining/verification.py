@@ -12,6 +12,7 @@ from itertools import product
 import numpy as np
 
 from ..declared.parameters import ShapeError, require
+from ..progress import unheard, within
 from .cutting import Question, cut
 from .gouging import part_cuts, rapid_cuts
 from .part import seen_from_above, top_of
@@ -109,7 +110,7 @@ def named(lines):
     return f"lines {', '.join(worst[:-1])} and {worst[-1]}"
 
 
-def verify(stock, part=None, allowance=None):
+def verify(stock, part=None, allowance=None, progress=unheard):
     """Whether a program makes a part of its stock: what it cuts away of it, what it leaves, and by which lines.
 
     Parameters
@@ -120,6 +121,8 @@ def verify(stock, part=None, allowance=None):
         seen of it from above counts.
     allowance : float, optional
         How much may be cut away, in metres, to the side too; by default what the stock says.
+    progress : callable, optional
+        Is told which part of the comparison is done, from 0 to 1; what it raises ends the work.
 
     Returns
     -------
@@ -150,10 +153,13 @@ def verify(stock, part=None, allowance=None):
     require(hasattr(stock, "program"), "must be machined stock", stock, "stock")
     machined = cut(Question.of(stock))
     mesh = part_of(stock if part is None else part, "part" if part is None else "")
-    found = {"rapid": by_line(machined, rapid_cuts(machined)), "below": by_line(machined, below_bottom(machined))}
-    if mesh is None:
-        return Verification(**found)
-    return Verification(**found, **beside_part(machined, mesh, stock.allowance if allowance is None else allowance))
+    rapid = rapid_cuts(machined, within(progress, 0.0, 0.5))
+    found = {"rapid": by_line(machined, rapid), "below": by_line(machined, below_bottom(machined))}
+    if mesh is not None:
+        allowance = stock.allowance if allowance is None else allowance
+        found |= beside_part(machined, mesh, allowance, within(progress, 0.5, 1.0))
+    progress(1.0)
+    return Verification(**found)
 
 
 def part_of(value, name):
@@ -189,7 +195,7 @@ def below_bottom(machined):
     return depths
 
 
-def beside_part(machined, mesh, allowance):
+def beside_part(machined, mesh, allowance, progress):
     """What is cut away of a part and left beside it."""
     lattice, low, high = machined.lattice, machined.low[2], machined.high[2]
     places = np.asarray(mesh.vertices, dtype=np.float64)
@@ -208,7 +214,7 @@ def beside_part(machined, mesh, allowance):
         "excess_volume": float(np.sum(weights * np.where(excess, deviation, 0.0))),
         "gouge": float(-deviation[gouged].min(initial=0.0)) + 0.0,
         "excess": float(deviation[excess].max(initial=0.0)),
-        "gouging": by_line(machined, part_cuts(machined, np.where(gouged, least, -np.inf), allowance)),
+        "gouging": by_line(machined, part_cuts(machined, np.where(gouged, least, -np.inf), allowance, progress)),
         "outside": float(reach) if reach > allowance else 0.0,
         "where": tuple(float(lattice.along(axis)[deepest[axis]]) for axis in range(2)),
         "deviation": deviation,

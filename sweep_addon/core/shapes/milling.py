@@ -11,6 +11,7 @@ from ..machining.chart import Cut
 from ..machining.cutting import Question, cut, path_of, takes_long
 from ..machining.remains import remains
 from ..machining.verification import verify
+from ..progress import unheard, within
 
 __all__ = ["check", "made", "mesh", "takes_long", "verify"]
 
@@ -31,8 +32,9 @@ def mesh(shape, dtype=np.float64):
 
 
 def made(shape, progress):
-    machined = cut(Question.of(shape, progress))
-    found = verify(shape)
+    progress = progress or unheard
+    machined = cut(Question.of(shape, within(progress, 0.0, 0.5)))
+    found = verify(shape, progress=within(progress, 0.5, 1.0))
     left = remains(machined.lattice, machined.heights, machined.low[2], machined.high[2])
     solid = left.mesh(told=(*told(shape, machined), *found.sentences()))
     values = attributes(machined, found, left) if shape.attributes else {}
