@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import sweep_addon
+
 CHECKOUT = Path(__file__).resolve().parents[1]
 FILES = sorted(file.relative_to(CHECKOUT).with_suffix("") for file in CHECKOUT.glob("sweep_addon/**/*.py"))
 NAMES = [".".join(file.parts).removesuffix(".__init__") for file in FILES if file.name != "__main__"]
@@ -20,7 +22,8 @@ BLENDERS = {"bpy", "bpy_extras", "bmesh", "mathutils"}
 @pytest.mark.parametrize("name", NAMES)
 def test_examples_hold(name):
     try:
-        module = importlib.import_module(name)
+        # By its own name: by another it would be loaded once more, and hide a function of its package named as it is.
+        module = importlib.import_module(sweep_addon.__name__ + name.removeprefix("sweep_addon"))
     except ModuleNotFoundError as missing:
         if missing.name not in BLENDERS or importlib.util.find_spec("bpy"):
             raise
