@@ -4,6 +4,7 @@
 
 from ..sweep_addon.core.declared.parameters import ShapeError
 from ..sweep_addon.core.later import later
+from . import written
 
 growing, objects, texts = later("core.shapes.growing"), later("bridge.objects"), later("bridge.texts")
 
@@ -20,11 +21,7 @@ def problems(group):
 
 def draw_text(layout, group, say):
     """The text that people edit, and each line of it that is wrong."""
-    row = layout.row(align=True)
-    row.template_ID(group, "system_text", new="object.sweep_grammar_text_new", open="text.open")
-    row.operator("object.sweep_grammar_edit", text="", icon="GREASEPENCIL").line = 0
-    if group.system_text is None:
-        say(layout, "The text is not there any more: New makes one of what is remembered of it.", "INFO")
+    written.draw_text(layout, group, "system", say)
     found = problems(group)
     for problem in found[:MOST_PROBLEMS]:
         box = layout.box().column(align=True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the sidebar shows of machined stock beside its parameters: its program, and what is wrong with it."""
+"""What the sidebar shows of machined stock beside its parameters: what is wrong with its program."""
 
 import re
 
@@ -9,16 +9,6 @@ from ..sweep_addon.core.later import later
 is_fault = later("core.machining.verification", "is_fault")
 
 LINE = re.compile(r"\blines? (\d+)")
-GONE = "The text is not there any more: New makes one of what is remembered of it."
-
-
-def draw_text(layout, group, say):
-    """The text that people edit; what is wrong in it is told above, with a button that goes there."""
-    row = layout.row(align=True)
-    row.template_ID(group, "program_text", new="object.sweep_grammar_text_new", open="text.open")
-    row.operator("object.sweep_grammar_edit", text="", icon="GREASEPENCIL").line = 0
-    if group.program_text is None:
-        say(layout, GONE, "INFO")
 
 
 def draw_told(layout, sweep, say):

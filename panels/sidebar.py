@@ -79,7 +79,7 @@ def hint(context):
 
 
 def draw_sweep(layout, context, mesh, say):
-    from . import l_system, machining
+    from . import l_system, written
 
     sweep = mesh.sweep
     shape, group = objects.group_of(mesh)
@@ -93,7 +93,7 @@ def draw_sweep(layout, context, mesh, say):
         l_system.draw_text(layout, group, say)
         l_system.draw_constants(layout, group)
     if shape is MachinedStock:
-        machining.draw_text(layout, group, say)
+        written.draw_text(layout, group, "program", say)
     beside = l_system.followed(group) if grown else ()
     declared = [p for p in parameters(shape) if p.group != MEETING and p.name not in beside]  # they stand elsewhere
     draw_parameters(layout, context, mesh, declared, say)
