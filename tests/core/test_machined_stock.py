@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import sweep_addon as sw
+from sweep_addon.core.machining import cutting
 from sweep_addon.core.machining.lattice import Lattice
 from sweep_addon.core.machining.remains import remains
 
@@ -189,6 +190,16 @@ def test_what_will_not_do_is_refused_in_one_sentence(told, sentence):
     with pytest.raises(sw.ShapeError) as refusal:
         sw.MachinedStock(**told).mesh()
     assert str(refusal.value).startswith(sentence) and "\n" not in str(refusal.value)
+
+
+def test_a_program_that_is_refused_is_read_once(monkeypatch):
+    """It may take seconds, and shapes are made whenever something changes."""
+    asked, program = [], "G0 X1\n(of this test alone)\nG9.9"
+    monkeypatch.setattr(cutting, "read", lambda text: asked.append(text) or M.read(text))
+    for _ in range(3):
+        with pytest.raises(sw.ShapeError, match=r"^program: line 3 has G9\.9, which is not known$"):
+            sw.MachinedStock(program)
+    assert asked == [program]
 
 
 def test_a_job_brings_machined_stock_back():

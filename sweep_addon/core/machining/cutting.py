@@ -23,10 +23,21 @@ NOTHING = "must move a tool from a place that is known to another, got a text th
 LONG, MANY = 100_000, 300_000  # characters of a program or pieces of its moves, and places: a person waits for more
 
 
-@lru_cache(maxsize=4)
 def path_of(program):
-    """The moves of a program."""
-    return read(program)
+    """The moves of a program, or a refusal."""
+    path, refusal = read_once(program)
+    if refusal:
+        raise refusal.inside("")  # another one each time, for whoever catches it changes it
+    return path
+
+
+@lru_cache(maxsize=4)
+def read_once(program):
+    """The moves of a program and what it is refused with, of which one is None: loops without end take seconds."""
+    try:
+        return read(program), None
+    except ShapeError as refusal:
+        return None, refusal
 
 
 @dataclass(frozen=True)
