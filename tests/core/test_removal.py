@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parts get out of assemblies on straight ways that are known, and out of no others."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from planted_assemblies import caged_ball, dovetail, drawer, overlaps, shelled, turned
@@ -43,6 +45,15 @@ def test_a_part_gets_out_in_its_only_direction(planted, way):
     assert np.allclose(found, np.array(way) / np.linalg.norm(way), atol=1e-6) and len(found) == 1
     assert path.tolerance > 0  # for it touches what holds it
     assert overlaps(path, part, others, steps=30) < 1e-9
+
+
+@pytest.mark.parametrize("tolerance", [None, 1e-6, 4e-5, 1e-4])
+def test_a_gear_of_a_centimetre_gets_out_of_its_own_pocket(tolerance):
+    """Some of its triangles are a hundredth of a square millimetre."""
+    gear = sw.contours.from_svg(Path(__file__).parents[1] / "data" / "svg" / "gear-fill.svg", scale=0.001)
+    block = Block(0.03, 0.03, 0.02).moved(x=0.008, y=0.008, z=0.005) - sw.TranslationalSweep(gear, height=0.05)
+    path = sw.removal_path(sw.TranslationalSweep(gear, height=0.01), {"B": block}, tolerance=tolerance, budget=0)
+    assert path.legs[0].way / np.linalg.norm(path.legs[0].way) == pytest.approx((0, 0, 1), abs=1e-9)
 
 
 def test_what_does_not_touch_anything_gets_out_without_a_tolerance():

@@ -7,7 +7,7 @@ import pytest
 
 from sweep_addon.core.meshes.booleans import body_of
 from sweep_addon.core.meshes.polyhedron import polyhedron
-from sweep_addon.core.removal.bodies import taken
+from sweep_addon.core.removal.bodies import Body, taken
 from sweep_addon.core.removal.certificate import clearance
 from sweep_addon.core.removal.legs import START, Leg, Pose, turn
 from sweep_addon.core.removal.shrinking import drawn_in
@@ -97,3 +97,13 @@ def test_a_leg_ends_where_its_parts_lead():
     pose = Pose(turn(Z, 0.7), np.ones(3))
     assert np.allclose(leg.seen(pose).pose(1.0).of(pose.of(points)), pose.of(whole.of(points)))
     assert np.allclose(pose.inverse().of(pose.of(points)), points)
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-3, 1e-4, 1e-6, 1e-8])
+def test_a_corner_over_a_face_is_half_its_size_away_however_small_both_are(size):
+    """A corner is 0.5 over the inside of a level triangle; the edges of both are farther from each other."""
+    level = size * np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+    over = size * np.array([(0.2, 0.2, 0.5), (1.2, 0.3, 0.6), (0.1, 1.1, 0.7)])
+    alone = np.array([[0, 1, 2]])
+    found = Surroundings([Body("level", level, alone)]).clearance(Moving(over, alone).object)
+    assert found == pytest.approx(0.5 * size, rel=1e-9)

@@ -11,6 +11,7 @@ import numpy as np
 from ..declared.parameters import ShapeError
 
 MISSING = "needs the library python-fcl, which is missing here: pip install python-fcl"
+UNITS = 2.0**20  # of fcl are a metre, some micrometres each: see `hull_tree`
 FEW = 3  # bodies are asked one by one, in less time than it takes to call back from a tree of them
 
 
@@ -24,10 +25,15 @@ def library():
 
 
 def hull_tree(vertices, triangles):
-    """Triangles in the form of fcl: places (n, 3) in metres, and the vertices of each (t, 3)."""
+    """Triangles in the form of fcl: places (n, 3) in metres, and the vertices of each (t, 3).
+
+    Triangles of less than 1.6e-8 square units are lines for fcl: it says that they are farther than they are, or 0. In
+    metres that would be all of less than a fifth of a millimetre, so they are told in smaller units: by a power of two,
+    which rounds nothing.
+    """
     model = library().BVHModel()
     model.beginModel(len(vertices), len(triangles))
-    model.addSubModel(np.ascontiguousarray(vertices, np.float64), np.ascontiguousarray(triangles, np.int32))
+    model.addSubModel(np.ascontiguousarray(UNITS * vertices, np.float64), np.ascontiguousarray(triangles, np.int32))
     model.endModel()
     return model
 
@@ -60,7 +66,7 @@ class Surroundings:
         """How far something moving is from the nearest surface: in metres, 0 where they meet."""
         data = self.fcl.DistanceData()
         self.manager.distance(moving, data, self.fcl.defaultDistanceCallback)
-        return max(float(data.result.min_distance), 0.0)
+        return max(float(data.result.min_distance), 0.0) / UNITS
 
     def touching(self, moving):
         """The numbers of the bodies whose surfaces something moving has a point in common with."""
@@ -87,5 +93,5 @@ class Moving:
 
     def at(self, pose):
         """The same in a `Pose`."""
-        self.object.setTransform(self.fcl.Transform(pose.matrix, pose.origin))
+        self.object.setTransform(self.fcl.Transform(pose.matrix, UNITS * pose.origin))
         return self.object
