@@ -69,6 +69,54 @@ def test_a_plunge_into_the_part_has_its_depth_and_place(tool):
     assert (found.deviation[away < 0.0005] < 0).all() and (found.deviation[away > 0.0031] >= -1e-12).all()
 
 
+def slot_beside_its_part(raised, **told):
+    """A slot 2 mm deep with round ends, whose part has its floor so much higher, at places on the walls themselves."""
+    hole = sw.TranslationalSweep(sw.contours.Rectangle(0.026, 0.006, rounding=0.003, corner_points=64), 0.01)
+    part = sw.solids.Block(0.06, 0.06, 0.012).moved(z=-0.006) - hole.moved(z=-0.002 + raised)
+    return stock(["F9 G0 X-10 Y0 Z5", "G1 Z-2", "X10", "G0 Z5"], cell=0.0005, **told).verify(part)
+
+
+@pytest.mark.parametrize("raised", [3e-5, 1e-3])
+def test_places_on_walls_are_as_deep_as_the_floor_beside_them(raised):
+    found = slot_beside_its_part(raised)
+    assert found.gouge == pytest.approx(raised, abs=1e-12) and found.deviation.min() == -found.gouge
+    assert found.gouged_volume == pytest.approx((0.02 * 0.006 + np.pi * 0.003**2) * raised, rel=0.05)
+    assert found.gouging == {line: pytest.approx(raised, abs=1e-12) for line in (2, 3)}
+    assert np.abs(slot_beside_its_part(0.0).deviation).max() < 1e-12
+
+
+def test_what_is_cut_by_more_than_the_allowance_is_wrong_and_by_less_is_not():
+    more, less = slot_beside_its_part(2.1e-5), slot_beside_its_part(1.9e-5)
+    assert not more.correct and more.gouge == pytest.approx(2.1e-5) and set(more.gouging) == {2, 3}
+    assert more.sentences()[0].startswith("The program cuts up to 0.021 mm into the part, 3 mm3, deepest at ")
+    assert less.correct and less.gouge == less.gouged_volume == 0 and less.gouging == {}
+    exact = slot_beside_its_part(0.0, allowance=0.0)
+    assert exact.correct and exact.gouge == 0
+    assert not slot_beside_its_part(1e-6, allowance=0.0).correct
+
+
+def test_many_moves_that_each_cut_a_little_deeper_are_told_by_the_whole_depth():
+    """One line whose arcs go down by 5 micrometres a chord."""
+    part = sw.solids.Block(0.06, 0.06, 0.0115).moved(z=-0.00625)  # its top half a millimetre deep
+    helix = ["F9 G0 X0 Y0 Z5", "G1 Z-.5", "G3 X0 Y0 Z-1 I1", "G0 Z5"]
+    found = stock(helix, tolerance=1e-7).verify(part)
+    assert found.gouge == pytest.approx(0.0005, rel=0.02) and found.gouging == {3: pytest.approx(found.gouge, rel=0.02)}
+
+
+def test_the_depth_of_a_cut_into_a_slope_is_that_at_the_place():
+    """A ball 0.1 mm too low along a roof of 20 degrees."""
+    corners = [(x, y, z) for x in (-0.03, 0.03) for y, z in ((-0.03, -0.012), (0.03, -0.012), (0.0, -0.001))]
+    faces = [(0, 2, 1), (3, 4, 5), (0, 3, 5), (0, 5, 2), (4, 1, 2), (4, 2, 5), (0, 1, 4), (0, 4, 3)]
+    slope = 0.011 / 0.03
+    lines = ["F9 G0 X0 Y-20 Z5"] + [
+        f"G1 Y-20 Z{1e3 * (-0.012 + 0.01 * slope + 0.003 * (np.hypot(1, slope) - 1)) - 0.1}",
+        f"Y-5 Z{1e3 * (-0.012 + 0.025 * slope + 0.003 * (np.hypot(1, slope) - 1)) - 0.1}",
+        "G0 Z5",
+    ]
+    found = stock(lines, tool=M.BallNose(0.006)).verify(sw.solids.Triangles(corners, faces))
+    assert found.gouge == pytest.approx(1e-4, rel=1e-6)
+
+
 def test_volumes_beside_a_part_are_those_of_the_difference():
     """A pocket 1 mm too deep on one half of it, and 0.5 mm too shallow on the other."""
     flat, deep = ["F9 G0 X-20 Y0 Z5", "G1 Z-3", "X0 Z-3", "G0 Z5"], ["X0.0", "G1 Z-1.5", "X20", "G0 Z5"]

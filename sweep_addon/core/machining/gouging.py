@@ -30,7 +30,7 @@ class Thinner:
         return self.tool.ahead(across, slope)
 
 
-def part_cuts(machined, limits, allowance, progress=unheard):
+def part_cuts(machined, limits, desired, progress=unheard):
     """How far each piece of a move cuts into what must be left, where that is still there when it comes: (m,) array.
 
     Parameters
@@ -38,18 +38,18 @@ def part_cuts(machined, limits, allowance, progress=unheard):
     machined : Machined
     limits : (n, m) float array
         Heights that must be left at the places of the lattice, -inf where anything may be cut.
-    allowance : float
-        What the limits already leave of the part, which counts where one is passed.
+    desired : (n, m) float array
+        Heights of the part, from which it counts how deep a move goes that passes a limit.
     progress : callable
         Is told which part is done, from 0 to 1; what it raises ends the work.
     """
     depths = np.zeros(len(machined.starts))
-    tiled = machined.lattice.in_tiles(limits, -np.inf).reshape(-1, SIDE**2)
+    tiled, whole = (machined.lattice.in_tiles(each, -np.inf).reshape(-1, SIDE**2) for each in (limits, desired))
 
     def look(tiles, pieces, before, height, x, y):
         limit = tiled[tiles][:, None]
-        new = np.minimum(before, limit) - height > TOUCHING
-        into = np.where(new, limit - height + allowance, 0.0).max(axis=2)
+        new = (height < limit) & ((before >= limit) | (before - height > TOUCHING))
+        into = np.where(new, whole[tiles][:, None] - height, 0.0).max(axis=2)
         np.maximum.at(depths, pieces, into)
 
     in_order(machined, tiled.max(axis=1), look, progress)

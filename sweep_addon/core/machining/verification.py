@@ -7,16 +7,16 @@ the stock's heights are.
 """
 
 from dataclasses import dataclass, field
-from itertools import product
 
 import numpy as np
 
 from ..declared.parameters import ShapeError, require
 from ..progress import unheard, within
 from .cutting import Question, cut
-from .gouging import part_cuts, rapid_cuts
-from .part import seen_from_above, top_of
+from .desired import Desired
+from .gouging import TOUCHING, part_cuts, rapid_cuts
 
+ROUNDING = 1e-8  # metres that may be cut away at least: coordinates of meshes are rounded
 BELOW = 1e-6  # metres below the bottom of the stock, from which on it is told
 FEW = 6  # lines that a sentence names
 FAULTS = ("The program cuts ", "The part reaches ", "Rapid moves cut ", "The tool goes ")  # how sentences of them begin
@@ -40,8 +40,8 @@ class Verification:
     where : tuple of 2 floats
         The place of the deepest cut into the part, seen from above, in metres.
     deviation : (n, m) float array
-        The height of what is left above the part at the places of the lattice: negative where it is cut into. None
-        without a part.
+        The height of what is left above the part at the places of the lattice: negative where it is cut into. On walls,
+        as near as the allowance, from the nearest height that the part has there. None without a part.
     """
 
     gouged_volume: float = 0.0
@@ -58,7 +58,7 @@ class Verification:
     @property
     def correct(self):
         """Whether nothing of the part is cut away, no rapid move cuts, and none goes below the stock."""
-        return not (self.gouging or self.rapid or self.below or self.outside)
+        return not (self.gouge or self.rapid or self.below or self.outside)
 
     def sentences(self):
         """What is wrong and what is left, a sentence each: a tuple of str."""
@@ -197,24 +197,24 @@ def below_bottom(machined):
 
 def beside_part(machined, mesh, allowance, progress):
     """What is cut away of a part and left beside it."""
-    lattice, low, high = machined.lattice, machined.low[2], machined.high[2]
-    places = np.asarray(mesh.vertices, dtype=np.float64)
-    seen = seen_from_above(mesh)
-    part = top_of(places, seen, lattice)
-    around = [top_of(places, seen, lattice, aside) for aside in product((-allowance, allowance), repeat=2)]
-    least = np.minimum(np.minimum.reduce([part, *around]), high) - allowance
-    most = np.maximum(np.maximum.reduce([part, *around]), low) + allowance
-    weights = areas(lattice)
-    deviation = machined.left - np.clip(part, low, high)
-    gouged, excess = machined.heights < least, machined.left > most
-    deepest = np.unravel_index(np.argmin(np.where(gouged, deviation, np.inf)), deviation.shape)
+    allowance = max(allowance, ROUNDING)
+    lattice, places = machined.lattice, np.asarray(mesh.vertices, dtype=np.float64)
+    part = Desired.of(mesh, machined, allowance)
+    weights, deviation = areas(lattice), machined.left - part.nearest(machined.left)
+    least, most = part.lowest - allowance, part.highest + allowance
+    gouged, excess = machined.left < least, machined.left > most
+    depth = np.where(gouged, -deviation, 0.0)
+    deepest = np.unravel_index(np.argmax(depth), depth.shape)
+    depths = part_cuts(machined, np.where(gouged, least, -np.inf), machined.left - deviation, progress)
+    if depths.max(initial=0.0) < depth.max() - TOUCHING:  # in steps too small to be told each
+        depths[machined.by[deepest]] = depth.max()
     reach = max((machined.low - places.min(axis=0)).max(), (places.max(axis=0) - machined.high).max())
     return {
-        "gouged_volume": float(np.sum(weights * np.where(gouged, -deviation, 0.0))),
+        "gouged_volume": float(np.sum(weights * part.lower * depth)),
         "excess_volume": float(np.sum(weights * np.where(excess, deviation, 0.0))),
-        "gouge": float(-deviation[gouged].min(initial=0.0)) + 0.0,
+        "gouge": float(depth.max()),
         "excess": float(deviation[excess].max(initial=0.0)),
-        "gouging": by_line(machined, part_cuts(machined, np.where(gouged, least, -np.inf), allowance, progress)),
+        "gouging": by_line(machined, depths),
         "outside": float(reach) if reach > allowance else 0.0,
         "where": tuple(float(lattice.along(axis)[deepest[axis]]) for axis in range(2)),
         "deviation": deviation,
