@@ -83,6 +83,34 @@ def test_a_shell_stays_around_what_is_in_it():
     assert path.sealed and str(path) == "None: the part encloses kernel"
 
 
+def pressed(depth):
+    """A ball that is so deep in the cup that it is made for, whose other side it does not touch."""
+    return Ball(0.1).moved(z=-depth), {"cup": Block(0.4, 0.4, 0.2).moved(z=-0.1) - Ball(0.1)}
+
+
+@pytest.mark.parametrize("share", [0.6, 0.95])
+def test_a_part_less_deep_in_another_than_the_tolerance_gets_out(share):
+    path = sw.removal_path(*pressed(share * 1e-3), tolerance=1e-3, budget=0)
+    assert path.legs[0].way[2] > 0 and path.tolerance == 1e-3
+
+
+def test_a_part_deeper_in_another_than_the_tolerance_is_refused_with_how_deep_and_where():
+    """At the lowest place of the ball."""
+    with pytest.raises(
+        sw.ShapeError, match=r"^cup: overlaps the part by 1.05 mm as it stands, at \(0, 0, -0.101\d*\) m"
+    ):
+        sw.removal_path(*pressed(1.05e-3), tolerance=1e-3)
+
+
+def test_a_block_may_overlap_by_less_along_its_edges_between_square_faces():
+    """They are drawn in by 1 / sqrt(3) of the tolerance at its corners."""
+    box = {"box": Block(0.2, 0.2, 0.2) - Block(0.1, 0.1, 0.3)}
+    block = Block(0.1, 0.1, 0.1).moved(x=0.5e-3)
+    assert sw.removal_path(block, box, tolerance=0.88e-3, budget=0)
+    with pytest.raises(sw.ShapeError, match="by 0.5 mm as it stands, at .* at edges so sharp that only less than"):
+        sw.removal_path(block, box, tolerance=0.85e-3)
+
+
 def test_a_part_inside_another_without_touching_its_surface_is_refused():
     with pytest.raises(sw.ShapeError, match=r"^block: overlaps the part by 0.\d+ m as it stands"):
         sw.removal_path(Ball(0.1), {"block": Block()})

@@ -17,7 +17,7 @@ HALVINGS = 12  # by which the place where something blocks the way is closed in 
 
 
 class Scene:
-    """A part, drawn in by half the contact tolerance, and the bodies around it, all about one origin.
+    """A part, drawn in by the contact tolerance, and the bodies around it, all about one origin.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class Scene:
     @cached_property
     def core(self):
         """The part drawn in, as a `Body`."""
-        return drawn_in(self.part, self.tolerance / 2)
+        return drawn_in(self.part, self.tolerance)
 
     @cached_property
     def moving(self):

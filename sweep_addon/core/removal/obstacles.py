@@ -2,31 +2,45 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What forbids any path at once: a part that stands in another one, or that a closed surface encloses."""
 
+from operator import itemgetter
+
 import numpy as np
 
 from ..declared.parameters import ShapeError
 from .legs import START
+from .lengths import in_units, place
 from .slipping import sampled
 
 
 def refuse_overlap(scene):
-    """Refuse a part that is deeper in another one than the tolerance as it stands, with how deep and in which."""
+    """Refuse a part that is deeper in another one than the tolerance as it stands, with how deep and where."""
     crossed = scene.around.touching(scene.moving.at(START))
     for number, other in enumerate(scene.others):
         if number in crossed or contains(other, scene.core) or contains(scene.core, other):
-            depth = max(deepest(scene.part, other), deepest(other, scene.part))
-            told = f"by {depth:.3g} m" if depth > scene.tolerance else "where their edges cross"
-            raise ShapeError(
-                f"overlaps the part {told} as it stands, and at most the tolerance of {scene.tolerance:.3g} m would do",
-                other.name,
-            )
+            raise ShapeError(overlap(scene, other), other.name)
+
+
+def overlap(scene, other):
+    """How deep a part is in another one, and where, as the sentence of a refusal.
+
+    One that is less deep than the tolerance is refused too where its edges are so sharp that it is drawn in by less.
+    """
+    depth, where = max(deepest(scene.part, other), deepest(other, scene.part), key=itemgetter(0))
+    told = f"overlaps the part by {in_units(max(depth, 0.0))} as it stands, at {place(where + scene.origin)}"
+    most = f"the tolerance of {in_units(scene.tolerance)} would do"
+    if depth > scene.tolerance:
+        return f"{told}, and at most {most}"
+    return f"{told}, at edges so sharp that only less than {most}"
 
 
 def deepest(body, other):
-    """How deep places of a body's surface are in another one at most, or its middle in both, in metres."""
-    places, middle = np.concatenate((body.vertices, sampled(body)[0])), body.middle[None]
-    amid = min(float(body.depths(middle)[0]), float(other.depths(middle)[0]))  # surfaces may lie on each other
-    return max(float(other.depths(places).max()), amid)
+    """How deep places of a body's surface are in another one at most, or its middle in both, and where, in metres."""
+    places, middle = np.concatenate((body.vertices, sampled(body)[0])), body.middle
+    depths = other.depths(places)
+    # surfaces may lie on each other
+    amid = min(float(body.depths(middle[None])[0]), float(other.depths(middle[None])[0]))
+    worst = int(depths.argmax())
+    return (amid, middle) if amid > depths[worst] else (float(depths[worst]), places[worst])
 
 
 def contains(body, other):

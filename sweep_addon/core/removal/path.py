@@ -23,7 +23,7 @@ class RemovalPath:
         How deep the part may be in others on its way, in metres: the contact tolerance, or 0 where it stays clear.
     clearance : float
         How far the part stays from all others at least, in metres, proven; where there is a contact tolerance, the part
-        drawn in by half of it.
+        drawn in by it.
     said : str
         How the path was found, or what was tried.
     sealed : bool

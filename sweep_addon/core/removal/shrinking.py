@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shrinking: a body drawn in by a hair, for parts that touch each other as they stand.
 
-No point of the surface moves farther than half the contact tolerance. So what is deeper than that half stays inside,
-and while the drawn in body touches nothing, no point of the body is deeper in another one than the tolerance.
+No point of the surface moves farther than the contact tolerance. On its straight way it passes all points of the body
+that the drawn in one has lost, each no farther from where it ends than that. So were a point of the body deeper in
+another one than the tolerance, a point of the drawn in body would be in it too; and that one touches nothing.
 """
 
 import numpy as np
