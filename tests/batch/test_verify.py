@@ -46,7 +46,10 @@ def test_a_right_program_ends_with_0(folder, capsys):
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].endswith("stock.toml: right") and "Up to 2 mm are left above the part" in lines[1]
     assert verify(folder) == 0
-    assert capsys.readouterr().out.splitlines() == [f"{folder / 'stock.toml'}: right"]
+    assert capsys.readouterr().out.splitlines() == [
+        f"{folder / 'stock.toml'}: right",
+        f"{folder / 'stock.toml'}: There was no part to compare with.",
+    ]
 
 
 def test_a_program_that_gouges_ends_with_1_and_names_the_line(folder, capsys):

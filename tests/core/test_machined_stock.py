@@ -88,7 +88,7 @@ def test_each_tool_of_a_program_cuts_with_its_own_shape():
     assert removed * 1e9 == pytest.approx(np.pi * 2**2 * (3 * 4 - 2) / 3 + np.pi * 2**3 / 3, rel=3e-3)
     assert mesh.told == ()
     told = sw.MachinedStock(program, tools=tools[:1], stock=PLATE).mesh().told
-    assert told == ("The program uses tools of several numbers, of which 2 is taken for the one of no number.",)
+    assert told == ("Tool 2 of the program is not among `tools`: the default one is taken for it.",)
 
 
 def test_inches_and_millimetres_of_one_part_are_one_part():
@@ -172,7 +172,8 @@ def test_a_person_need_not_wait_for_what_takes_long(program, cell, waits):
         ({"program": Path("part.nc")}, "program: must be the text of a program, as .read_text() of a path gives, got"),
         ({"program": ""}, "program: must move a tool from a place that is known to another, got a text that does not"),
         ({"program": "G0 X1"}, "program: must move a tool from a place that is known to another, got a text that does"),
-        ({"program": "F9 G1 Z1\nX9"}, "stock.top: must be above some move, got 0"),
+        ({"program": "F9 G1 Z1\nX9"}, "stock.top: must be above 0, the lowest Z of the program in metres, got 0"),
+        ({"program": "G0 X0 Y0 Z5\nX9 Z1"}, "stock.top: must be above 0.001, the lowest Z of the program in"),
         ({"stock": M.Around(floor=0.001), "cell": 1e-6}, "cell: must make at most 4,000,000 places, got "),
         ({"tolerance": 0}, "tolerance: must be more than 0, got 0"),
         ({"tool": {"kind": "ball-nose", "diameter": 0}}, "tool.diameter: must be more than 0, got 0"),

@@ -254,6 +254,30 @@ def test_what_is_no_part_is_refused(part, sentence):
         stock(RASTER).verify(part)
 
 
+NO_PART = "There was no part to compare with."
+
+
+@pytest.mark.parametrize(
+    ("program", "told", "sentences"),
+    [
+        ("F9 G0 X0 Y0 Z5\nX9 Z1\nG1 Y9", {}, (NO_PART, "Nothing of the stock is cut: no move comes into it.")),
+        ("F9 G0 X0 Y0 Z5\nG1 Z-1", {}, (NO_PART,)),
+        ("F9 T4 M6\nG0 X0 Y0 Z5\nG1 Z-1", {}, (NO_PART,)),
+        ("F9 T4 M6\nG0 X0 Y0 Z5\nG1 Z-1", {"tools": [(1, M.FlatEnd())]},
+         (NO_PART, "Tool 4 of the program is not among `tools`: the default one is taken for it.")),
+        ("F9 G0 X0 Y0 Z5\nG1 Z-1", {"tool": M.FlatEnd(3)},
+         (NO_PART, "A tool is 3 m wide, the stock 0.06 m: lengths are in metres.")),
+        ("F9 G0 X0 Y0 Z5\nG1 Z-1", {"tool": M.FlatEnd(3), "stock": M.Around(), "cell": 0},
+         (NO_PART, "A tool is 3 m wide, no mill is as wide: lengths are in metres.")),
+    ],
+)  # fmt: skip
+def test_what_may_not_be_meant_is_told_beside_what_is_right(program, told, sentences):
+    machined = stock(program, **told)
+    found = machined.verify()
+    assert found.correct and found.sentences() == sentences
+    assert machined.mesh().told == sentences[1:]
+
+
 def test_what_is_no_stock_is_refused():
     with pytest.raises(sw.ShapeError, match="^stock: must be machined stock, got Block"):
         M.verify(sw.solids.Block())

@@ -26,7 +26,8 @@ class Around:
     def box(self, path, starts, ends, radii):
         """Its lowest and highest corner, for moves of tools with such radii: two (3,) arrays in metres."""
         below = np.minimum(starts[:, 2], ends[:, 2]) < self.top - LEAST
-        require(below.any(), "must be above some move", self.top, "top")
+        lowest = min(starts[:, 2].min(), ends[:, 2].min())
+        require(below.any(), f"must be above {lowest:g}, the lowest Z of the program in metres", self.top, "top")
         reach = radii[below, None] + self.margin
         low = (np.minimum(starts, ends)[below, :2] - reach).min(axis=0)
         high = (np.maximum(starts, ends)[below, :2] + reach).max(axis=0)

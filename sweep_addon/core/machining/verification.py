@@ -13,11 +13,13 @@ import numpy as np
 from ..declared.parameters import ShapeError, require
 from ..progress import unheard, within
 from .cutting import Question, cut
+from .decided import decided
 from .desired import Desired
 from .gouging import TOUCHING, part_cuts, rapid_cuts
 
 ROUNDING = 1e-8  # metres that may be cut away at least: coordinates of meshes are rounded
 BELOW = 1e-6  # metres below the bottom of the stock, from which on it is told
+NO_PART = "There was no part to compare with."
 FEW = 6  # lines that a sentence names
 FAULTS = ("The program cuts ", "The part reaches ", "Rapid moves cut ", "The tool goes ")  # how sentences of them begin
 
@@ -39,6 +41,8 @@ class Verification:
         How far the part reaches out of the stock, in metres.
     where : tuple of 2 floats
         The place of the deepest cut into the part, seen from above, in metres.
+    decided : tuple of str
+        What else is worth knowing, a sentence each: nothing that is cut, tools that are missing or too wide.
     deviation : (n, m) float array
         The height of what is left above the part at the places of the lattice: negative where it is cut into. On walls,
         as near as the allowance, from the nearest height that the part has there. None without a part.
@@ -53,6 +57,7 @@ class Verification:
     below: dict = field(default_factory=dict)
     outside: float = 0.0
     where: tuple = (0.0, 0.0)
+    decided: tuple = ()
     deviation: np.ndarray = field(default=None, repr=False, compare=False)
 
     @property
@@ -61,7 +66,7 @@ class Verification:
         return not (self.gouge or self.rapid or self.below or self.outside)
 
     def sentences(self):
-        """What is wrong and what is left, a sentence each: a tuple of str."""
+        """What is wrong, what is left, and what was decided, a sentence each: a tuple of str."""
         said = []
         if self.gouging:
             x, y = (round(1e3 * number, 3) for number in self.where)
@@ -78,13 +83,15 @@ class Verification:
         if self.below:
             deepest = max(self.below.values())
             said.append(f"The tool goes up to {deepest * 1e3:.3g} mm below the stock, by {named(self.below)}.")
-        if self.deviation is not None:
+        if self.deviation is None:
+            said.append(NO_PART)
+        elif self.excess_volume:
             said.append(
                 f"Up to {self.excess * 1e3:.3g} mm are left above the part, {self.excess_volume * 1e9:.3g} mm3."
-                if self.excess_volume
-                else "Nothing is left beside the part."
             )
-        return tuple(said)
+        else:
+            said.append("Nothing is left beside the part.")
+        return (*said, *self.decided)
 
 
 def is_fault(sentence):
@@ -155,6 +162,7 @@ def verify(stock, part=None, allowance=None, progress=unheard):
     mesh = part_of(stock if part is None else part, "part" if part is None else "")
     rapid = rapid_cuts(machined, within(progress, 0.0, 0.5))
     found = {"rapid": by_line(machined, rapid), "below": by_line(machined, below_bottom(machined))}
+    found["decided"] = decided(machined, [each.number for each in stock.tools])
     if mesh is not None:
         allowance = stock.allowance if allowance is None else allowance
         found |= beside_part(machined, mesh, allowance, within(progress, 0.5, 1.0))

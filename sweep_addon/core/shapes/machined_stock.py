@@ -128,7 +128,7 @@ class MachinedStock(Operand):
         --------
         >>> found = MachinedStock(cell=0.001).verify()
         >>> found.correct, found.sentences()
-        (True, ())
+        (True, ('There was no part to compare with.',))
         """
         return milling.verify(self, part)
 

@@ -10,7 +10,7 @@ from ..declared.parameters import ShapeError, at
 from ..machining.chart import Cut
 from ..machining.cutting import Question, cut, path_of, takes_long
 from ..machining.remains import remains
-from ..machining.verification import verify
+from ..machining.verification import NO_PART, verify
 from ..progress import unheard, within
 
 __all__ = ["check", "made", "mesh", "takes_long", "verify"]
@@ -36,19 +36,10 @@ def made(shape, progress):
     machined = cut(Question.of(shape, within(progress, 0.0, 0.5)))
     found = verify(shape, progress=within(progress, 0.5, 1.0))
     left = remains(machined.lattice, machined.heights, machined.low[2], machined.high[2])
-    solid = left.mesh(told=(*told(shape, machined), *found.sentences()))
+    told = tuple(sentence for sentence in found.sentences() if sentence != NO_PART)  # which is usual for a shape
+    solid = left.mesh(told=told)
     values = attributes(machined, found, left) if shape.attributes else {}
     return replace(solid, chart=Cut(values, len(machined.path)))
-
-
-def told(shape, machined):
-    """What was decided where the parameters left it open."""
-    numbers = set(np.unique(machined.path.tools[machined.moves]).tolist())
-    unknown = sorted(numbers - {each.number for each in shape.tools})
-    if len(numbers) > 1 and unknown:
-        which = f"{', '.join(map(str, unknown))} {'are' if len(unknown) > 1 else 'is'}"
-        return (f"The program uses tools of several numbers, of which {which} taken for the one of no number.",)
-    return ()
 
 
 def attributes(machined, found, left):
