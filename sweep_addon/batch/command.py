@@ -82,6 +82,9 @@ def parser():
     remove.add_argument("others", metavar="OTHER", nargs="+", help="job files of what stays where it is")
     remove.add_argument("--tolerance", metavar="T", type=number, help="the contact tolerance in metres")
     remove.add_argument("--seed", metavar="S", type=whole, default=0, help="of the random motions that are tried last")
+    remove.add_argument(
+        "--budget", metavar="N", type=whole, help="how many poses to try where straight ways are blocked"
+    )
     remove.set_defaults(act=removing.remove)
 
     derive = commands.add_parser("derive", help="print the word of a grammar", description=grammar.derive.__doc__)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..core.later import later
 from . import verbs
+from .counting import counted
 
 removal_path = later("core.removal", "removal_path")
 
@@ -15,7 +16,11 @@ def remove(told):
     ends with 1."""
     part = verbs.read(told.part).shape
     others = {name: verbs.read(path).shape for name, path in zip(names(told.others), told.others, strict=True)}
-    path = removal_path(part, others, tolerance=told.tolerance, seed=told.seed)
+    options = {"tolerance": told.tolerance, "seed": told.seed}
+    if told.budget is not None:
+        options["budget"] = told.budget
+    with counted(f"searching a way out for {told.part}") as progress:
+        path = removal_path(part, others, **options, progress=progress)
     verbs.say(f"{told.part}: {path}")
     if not path:
         return 1

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The verb remove: its answer on standard output, and 0, 1 or 2."""
 
+import re
+import sys
+
 import pytest
 
 import sweep_addon as sw
@@ -51,12 +54,41 @@ def test_jobs_of_one_name_in_two_folders_are_two_parts(jobs, tmp_path, capsys):
         assert capsys.readouterr().out == f"{jobs['plug']}: None: {same} encloses the part\n"
 
 
+@pytest.fixture
+def caged(tmp_path):
+    """Job files of a prism, and of a box in which it can move, but whose windows are too narrow for it."""
+    kernel = sw.TranslationalSweep(SQUARE, height=0.2)
+    box = sw.solids.Block(1, 1, 1) - sw.solids.Block(0.5, 0.5, 0.5) - sw.solids.Block(0.1, 0.1, 2.0)
+    for name, shape in (("kernel", kernel), ("cage", box)):
+        (tmp_path / f"{name}.toml").write_text(sw.dump(shape))
+    return [str(tmp_path / f"{name}.toml") for name in ("kernel", "cage")]
+
+
+def test_the_budget_is_how_many_poses_are_tried(caged, capsys):
+    """More than those that were looked at for straight ways, with which a search of any budget begins."""
+    tried = []
+    for budget in ("0", "400"):
+        assert main(["remove", *caged, "--budget", budget]) == 1
+        tried.append(int(re.search(r"(\d+) poses were tried", capsys.readouterr().out)[1]))
+    assert 200 <= tried[1] - tried[0] <= 800
+
+
+def test_on_a_terminal_it_is_shown_how_far_the_search_is_and_taken_away_again(caged, capsys, monkeypatch):
+    assert main(["remove", *caged, "--budget", "40"]) == 1
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    assert main(["remove", *caged, "--budget", "40"]) == 1
+    told = capsys.readouterr().err
+    assert told.startswith(f"\r\033[Ksearching a way out for {caged[0]}: 0%") and told.endswith("\r\033[K")
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
         (["sheet", "plate"], "part: "),
         (["plug", "plug"], "plug: overlaps the part by"),
         (["plug", "plate", "--tolerance", "-1"], "tolerance: must be a number of metres, more than 0, got -1"),
+        (["plug", "plate", "--budget", "-1"], "budget: must be a whole number, 0 or more, got -1"),
         (["plug", "plate", "--tolerance", "some"], "must be a number, got"),
     ],
 )

@@ -38,7 +38,7 @@ class Disassembly:
 
     def __str__(self):
         names = ", ".join(name for name, _ in self.order) or "none"
-        left = f"; {', '.join(self.stays)} hold each other" if len(self.stays) > 1 else ""
+        left = f"; no way out was found for any of {', '.join(self.stays)}" if len(self.stays) > 1 else ""
         return f"In this order: {names}{left}"
 
 
