@@ -278,6 +278,15 @@ def test_what_may_not_be_meant_is_told_beside_what_is_right(program, told, sente
     assert machined.mesh().told == sentences[1:]
 
 
+@pytest.mark.parametrize("part", [sw.solids.Block(), sw.solids.Block().mesh(), "block", {"kind": "block"}])
+def test_a_shape_as_the_part_of_the_stock_is_told_what_can_be_said_instead(part):
+    with pytest.raises(sw.ShapeError) as refusal:
+        stock(RASTER, part=part)
+    said = str(refusal.value)
+    assert "must be one of unknown, triangles, got " in said and "\n" not in said
+    assert all(way in said for way in (".verify(part)", "--part", "Triangles.of(part.mesh())", '{ file = "part.blend"'))
+
+
 def test_what_is_no_stock_is_refused():
     with pytest.raises(sw.ShapeError, match="^stock: must be machined stock, got Block"):
         M.verify(sw.solids.Block())

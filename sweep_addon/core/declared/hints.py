@@ -16,6 +16,10 @@ FEW = 3  # kinds of which a number says one; of more, as of trajectories, it may
 MOST_LONGER = 3  # names that a refusal tells of those that somebody may have meant
 SURE = 0.82  # how alike a word and the only name that it may be are: more than spline and line, or plane and plant
 LONGEST = 40  # characters of what may be a name with a slip in it
+PART = (  # how else a shape, which is no kind of part, can be one
+    ": a shape is compared with by shape.verify(part) or verify --part part.toml; here stands a mesh, as "
+    'Triangles.of(part.mesh()) or { file = "part.blend", object = "Part" }'
+)
 FIGURES = {  # by the names that people have for them: the kind, and what it is told
     "triangle": ("regular-polygon", "sides = 3"),
     "square": ("regular-polygon", "sides = 4"),
@@ -51,6 +55,8 @@ def hint(names, value):
     >>> hint({"regular-polygon": RegularPolygon, "star": Star}, "starr")
     ": did you mean 'star'?"
     """
+    if "unknown" in names and (isinstance(value, str) or hasattr(value, "mesh") or hasattr(value, "triangles")):
+        return meant(names, value) or PART
     if isinstance(value, str):
         kind, told = FIGURES.get(value.lower(), ("", ""))
         if kind in names:
