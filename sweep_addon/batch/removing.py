@@ -9,6 +9,7 @@ from . import verbs
 from .counting import counted
 
 removal_path = later("core.removal", "removal_path")
+in_units = later("core.removal.lengths", "in_units")
 
 
 def remove(told):
@@ -24,7 +25,8 @@ def remove(told):
     verbs.say(f"{told.part}: {path}")
     if not path:
         return 1
-    held = f"{path.tolerance:.3g} m deep in others at most" if path.tolerance else f"{path.clearance:.3g} m clear"
+    deep, clear = in_units(path.tolerance), in_units(path.clearance)
+    held = f"{deep} deep in others at most" if path.tolerance else f"{clear} clear"
     verbs.say(f"{told.part}: {held}, certified")
     return 0
 

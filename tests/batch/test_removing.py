@@ -36,7 +36,7 @@ def test_a_path_is_told_with_its_certificate(jobs, capsys):
     assert main(["remove", jobs["plug"], jobs["plate"]]) == 0
     first, second = capsys.readouterr().out.splitlines()
     assert first == f"{jobs['plug']}: A straight way of 0.201 m"
-    assert second.endswith("m deep in others at most, certified")
+    assert second == f"{jobs['plug']}: 0.6 mm deep in others at most, certified"
 
 
 def test_where_there_is_none_it_ends_with_1(jobs, capsys):

@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..declared.frozen import individual
-from ..declared.parameters import at, require
+from ..declared.parameters import require
 from ..progress import unheard, within
 from .bodies import assembly
 from .finding import BUDGET, any_way_out, directions_of, require_whole, scene_among, straight_out
@@ -120,8 +120,7 @@ def straight_one(left, middle, tolerance, waiting):
             continue
         scene = scene_among(part, left, middle, tolerance)
         if first:
-            with at(part.name):
-                refuse_overlap(scene)
+            refuse_overlap(scene, part.name)
         path = straight_out(scene)
         if path:
             return part, path

@@ -11,6 +11,7 @@ from ..progress import unheard, within
 from .bodies import assembly, taken
 from .directions import candidates
 from .legs import START, Pose
+from .lengths import in_units
 from .moves import Scene
 from .obstacles import refuse_overlap, seal
 from .path import RemovalPath
@@ -151,7 +152,7 @@ def proven(scene, legs):
 def described(legs):
     """Legs in words."""
     if len(legs) == 1 and not legs[0].turns:
-        return f"A straight way of {np.linalg.norm(legs[0].way):.3g} m"
+        return f"A straight way of {in_units(np.linalg.norm(legs[0].way))}"
     return ", then ".join(map(in_words, legs)).capitalize()
 
 
@@ -159,9 +160,9 @@ def in_words(leg):
     """What happens on a leg."""
     way, degrees = float(np.linalg.norm(leg.way)), np.degrees(leg.angle)
     if not leg.turns:
-        return f"{way:.3g} m straight"
+        return f"{in_units(way)} straight"
     turned = f"{degrees / 360:.3g} turns" if degrees > 360 else f"{degrees:.3g} degrees"
-    return f"a turn of {turned}" + (f" with {way:.3g} m" if way else "")
+    return f"a turn of {turned}" + (f" with {in_units(way)}" if way else "")
 
 
 def none(scene, said, sealed=False):

@@ -12,21 +12,21 @@ from .lengths import in_units, place
 from .slipping import sampled
 
 
-def refuse_overlap(scene):
-    """Refuse a part that is deeper in another one than the tolerance as it stands, with how deep and where."""
+def refuse_overlap(scene, name="the part"):
+    """Refuse a part that is deeper in another one than the tolerance as it stands; the sentence has its name."""
     crossed = scene.around.touching(scene.moving.at(START))
     for number, other in enumerate(scene.others):
         if number in crossed or contains(other, scene.core) or contains(scene.core, other):
-            raise ShapeError(overlap(scene, other), other.name)
+            raise ShapeError(overlap(scene, other, name), other.name)
 
 
-def overlap(scene, other):
+def overlap(scene, other, name):
     """How deep a part is in another one, and where, as the sentence of a refusal.
 
     One that is less deep than the tolerance is refused too where its edges are so sharp that it is drawn in by less.
     """
     depth, where = max(deepest(scene.part, other), deepest(other, scene.part), key=itemgetter(0))
-    told = f"overlaps the part by {in_units(max(depth, 0.0))} as it stands, at {place(where + scene.origin)}"
+    told = f"overlaps {name} by {in_units(max(depth, 0.0))} as it stands, at {place(where + scene.origin)}"
     most = f"the tolerance of {in_units(scene.tolerance)} would do"
     if depth > scene.tolerance:
         return f"{told}, and at most {most}"
