@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Programs of machines: the moves that LinuxCNC's own interpreter makes of them, or a refusal that says why not."""
 
+import gzip
 import re
 
 import numpy as np
@@ -225,6 +226,31 @@ def test_what_is_wrong_or_not_known_is_told_with_its_line(text, sentence):
         return
     with pytest.raises(sw.ShapeError, match="^" + re.escape(sentence)):
         sw.machining.read(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "got"),
+    [
+        (gzip.compress(b"G0 X1 Y2\n" * 99).decode("latin-1"), "bytes that are no text, as those of a compressed file"),
+        (gzip.compress(b"G0 X1 Y2\n" * 99).decode("utf-8", "replace"), "bytes that are no text, as those of a compre"),
+        ("PK\3\4\nG1 X2", "bytes that are no text, as those of a compressed file"),
+        ("<html>\n<body>", "'<html>'"),
+        ("solid part\nfacet normal 0 0 1", "'solid part'"),
+        ("BEGIN PGM 1 MM", "'BEGIN PGM 1 MM'"),
+        ('{"kind": "block"}', '\'{"kind": "block"}\''),
+        ("%PDF-1.4", "'%PDF-1.4'"),
+    ],
+)
+def test_what_is_no_program_at_all_is_refused_as_that(text, got):
+    with pytest.raises(sw.ShapeError) as refusal:
+        sw.machining.read(text)
+    needed = 'line 1 is of no program of RS-274 ("G-code"), whose lines are of words as G1 X2.5, got '
+    assert str(refusal.value).startswith(needed + got) and refusal.value.line == 1
+
+
+def test_a_slip_in_the_first_line_of_a_program_is_told_as_that():
+    with pytest.raises(sw.ShapeError, match="^line 1 needs a number before 'oto0'$"):
+        sw.machining.read("GOTO 0\nG1 X2")
 
 
 @pytest.mark.parametrize(

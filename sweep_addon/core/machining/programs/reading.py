@@ -8,6 +8,7 @@ from .blocks import Block, block
 from .codes import obey
 from .expressions import whole
 from .flow import linked
+from .foreign import refuse_foreign
 from .lines import at_line
 from .machine import Machine
 from .parameters import Frame, Parameters
@@ -48,6 +49,7 @@ def read(text):
     >>> path.lines.tolist(), path.rapid.tolist()
     ([2, 3, 5], [True, False, False])
     """
+    refuse_foreign(text)
     run = Run(text)
     run.through()
     return run.machine.toolpath()
