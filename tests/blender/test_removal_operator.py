@@ -11,7 +11,9 @@ pytest.importorskip("fcl", reason="removal paths are asked of python-fcl")
 from planted_assemblies import bayonet, drawer, shelled
 from scenes import add, places, select
 
+import sweep_addon as sw
 from sweep_addon.bridge import meshes
+from sweep_addon.core.solids import Block
 
 
 def planted(assembly):
@@ -57,6 +59,16 @@ def test_objects_are_read_where_they_stand(scene):
     start, end = frames(part, 1, 2)
     assert end[:3, 3] - start[:3, 3] == pytest.approx([0.8, 0, 0], abs=5e-3)  # -y turned to +x, twice as long
     assert np.allclose(end[:3, :3], start[:3, :3], atol=1e-6)
+
+
+def test_objects_told_in_python_are_refused_with_what_takes_them(scene):
+    part, case = planted(drawer())
+    shape = Block()
+    for told in ((part, [case]), (shape, [case]), (shape, {"case": case}), (shape, case)):
+        with pytest.raises(
+            sw.ShapeError, match="; sw.from_object reads .* and Find Removal Path takes any meshes, got"
+        ):
+            sw.removal_path(*told)
 
 
 def test_a_leg_that_turns_has_a_key_at_each_frame(scene):

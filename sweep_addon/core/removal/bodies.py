@@ -107,7 +107,8 @@ def taken(value, key):
     key : str
         Its name in refusals.
     """
-    require(isinstance(value, Mesh | Operand), "must be a mesh, a shape, a solid or a tree", value, key)
+    what = f"must be a mesh, a shape, a solid or a tree{instead(value)}"
+    require(isinstance(value, Mesh | Operand), what, value, key)
     with at(key):
         mesh = value if isinstance(value, Mesh) else closed_mesh(value)
     vertices = np.asarray(mesh.vertices, dtype=np.float64)
@@ -122,11 +123,18 @@ def taken(value, key):
     return outward(key, vertices, np.asarray(mesh.triangles))
 
 
+def instead(value):
+    """What takes the objects of Blender, as the end of a sentence; nothing for other values."""
+    known = hasattr(value, "bl_rna")  # no module of Blender is asked here
+    return "; sw.from_object reads that of an object, and Find Removal Path takes any meshes" if known else ""
+
+
 def assembly(values, key):
     """The bodies of several, a list or a dictionary by name; one alone is a list of one."""
     if isinstance(values, Mesh | Operand):
         values = (values,)
     if isinstance(values, dict):
         return [taken(value, str(name)) for name, value in values.items()]
-    require(isinstance(values, list | tuple), "must be meshes or shapes, in a list or by name", values, key)
+    listed = f"must be meshes or shapes, in a list or by name{instead(values)}"
+    require(isinstance(values, list | tuple), listed, values, key)
     return [taken(value, f"{key}.{number}") for number, value in enumerate(values, 1)]
