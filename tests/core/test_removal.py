@@ -102,6 +102,17 @@ def test_a_part_deeper_in_another_than_the_tolerance_is_refused_with_how_deep_an
         sw.removal_path(*pressed(1.05e-3), tolerance=1e-3)
 
 
+@pytest.mark.parametrize("thickness", [3e-3, 1.5e-3, 1.2e-3])
+def test_a_sheet_as_thin_as_the_tolerance_gets_off_what_it_lies_on(thickness):
+    """Drawn in by a thousandth of its size it is inside out."""
+    sheet = Block(1.0, 1.0, thickness)
+    table, far = Block(1.2, 1.2, 0.1).moved(z=-0.05 - thickness / 2), Block(0.1, 0.1, 0.1).moved(z=1.0)
+    path = sw.removal_path(sheet, {"table": table, "far": far}, budget=0)
+    assert path and path.legs[0].way[2] >= 0
+    with pytest.raises(sw.ShapeError, match="^board: overlaps the part"):
+        sw.removal_path(sheet, {"board": Block(1.2, 1.2, 0.1)})
+
+
 def test_a_block_may_overlap_by_less_along_its_edges_between_square_faces():
     """They are drawn in by 1 / sqrt(3) of the tolerance at its corners."""
     box = {"box": Block(0.2, 0.2, 0.2) - Block(0.1, 0.1, 0.3)}

@@ -7,6 +7,7 @@ from operator import itemgetter
 import numpy as np
 
 from ..declared.parameters import ShapeError
+from ..offsets.parts import winding
 from .legs import START
 from .lengths import in_units, place
 from .slipping import sampled
@@ -44,9 +45,12 @@ def deepest(body, other):
 
 
 def contains(body, other):
-    """Whether a body holds a surface of another one that it does not cross."""
+    """Whether a body holds a surface of another one that it does not cross.
+
+    A part that is thinner than what it is drawn in by is inside out then, and holds nothing.
+    """
     points = other.vertices[np.unique(other.shells)]
-    return bool((body.depths(points) > 0).any())
+    return any(winding(body.corners - point) > 0.5 for point in points)
 
 
 def seal(scene):
