@@ -31,7 +31,7 @@ def overlap(scene, other, name):
     most = f"the tolerance of {in_units(scene.tolerance)} would do"
     if depth > scene.tolerance:
         return f"{told}, and at most {most}"
-    return f"{told}, at edges so sharp that only less than {most}"
+    return f"{told}, where it is so sharp or thin that only less than {most}"
 
 
 def deepest(body, other):
@@ -45,10 +45,7 @@ def deepest(body, other):
 
 
 def contains(body, other):
-    """Whether a body holds a surface of another one that it does not cross.
-
-    A part that is thinner than what it is drawn in by is inside out then, and holds nothing.
-    """
+    """Whether a body holds a surface of another one that it does not cross; what is inside out holds nothing."""
     points = other.vertices[np.unique(other.shells)]
     return any(winding(body.corners - point) > 0.5 for point in points)
 

@@ -13,16 +13,35 @@ from ..vectors import cross, dot, norms, unit
 from .bodies import Body
 
 ROUNDS = 64  # of the search for the direction that looks along all faces around a vertex
+HALVINGS = 12  # of how far a vertex of a thin part moves
+BEYOND, SHALLOW = 1.5, 0.5  # so many times as far in, no other face is to be nearer than this part of its own ones
 AGAINST = 1e-3  # cosine: a vertex around which faces look all ways stays where it is
 
 
 def drawn_in(body, by):
-    """A body whose vertices have moved into it by a length in metres, each away from all faces around it."""
-    return Body(body.name, body.vertices - by * outward_directions(body), body.triangles)
+    """A body whose vertices have moved into it by a length in metres, each away from all faces around it.
+
+    Where it is thin they move less far: so that they do not come to where those of its other side were to go.
+    """
+    (outward, least), lengths = outward_directions(body), np.full(len(body.vertices), float(by))
+    left = np.flatnonzero(norms(outward) > 0) if by else np.zeros(0, dtype=int)
+    for _ in range(HALVINGS):
+        reached = BEYOND * lengths[left]
+        depths = body.depths(body.vertices[left] - reached[:, None] * outward[left])
+        left = left[depths < SHALLOW * least[left] * reached]
+        if not len(left):
+            break
+        lengths[left] /= 2
+    return Body(body.name, body.vertices - lengths[:, None] * outward, body.triangles)
 
 
 def outward_directions(body):
-    """Unit vectors that look along the normals of all faces around each vertex, as far as one can: (n, 3) float array.
+    """Unit vectors that look along the normals of all faces around each vertex, as far as one can.
+
+    Returns
+    -------
+    (n, 3) float array, (n,) float array
+        The vectors, and the least of their products with those normals; both are 0 where none looks along all.
 
     Source
     ------
@@ -48,6 +67,7 @@ def outward_directions(body):
         found = found + part[:, None] * way
     least = np.minimum.reduceat(dot(around, found[which]), first)
     found[(least <= AGAINST * norms(found)) | (norms(found) < AGAINST)] = 0.0
-    made = np.zeros_like(body.vertices)
+    made, products = np.zeros_like(body.vertices), np.zeros(len(body.vertices))
     made[vertex[first]] = unit(found)
-    return made
+    products[vertex[first]] = np.minimum.reduceat(dot(around, unit(found)[which]), first)
+    return made, products
