@@ -21,11 +21,11 @@ INTRODUCTION = """
 ### Live update
 
 A tube along a helix of 5 turns, from a property that is set to the mesh that Blender shows: milliseconds, and how many
-times that of Blender's own node in the same run. The measurements take turns; medians of {rounds} rounds. Every value
-is new. A turn is two changes: the first comes after other work, as when a value is typed; the second, *dragged*, comes
-after one of its own kind. The node always makes everything anew. Its usual set-up with UVs stands beside the bare
-node, and every change that changes UVs is measured with them, as by default, and with a tube that has none. What is
-not in Blender ends with arrays that nobody sees.
+times that of Blender's own node in the same run. The measurements take turns, in an order that is drawn anew for each
+of {rounds} rounds; medians. Every value is new. A turn is two changes: the first comes after other work, as when a
+value is typed; the second, *dragged*, comes after one of its own kind. The node always makes everything anew. Its usual
+set-up with UVs stands beside the bare node, and every change that changes UVs is measured with them, as by default, and
+with a tube that has none. What is not in Blender ends with arrays that nobody sees.
 """
 
 

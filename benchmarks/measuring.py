@@ -3,6 +3,7 @@
 """Medians of things measured in turns, and the tables that show them."""
 
 import gc
+import random
 import statistics
 import sys
 import time
@@ -27,14 +28,18 @@ def medians(actions, repeats, times=2):
         The first time of a turn also meets what the action before it left in caches and in memory; the last, as a rule
         the second, is what a slider does that is being dragged.
 
-    The actions take turns, so that whatever else the machine is doing falls on all of them alike. What they hold is
+    The actions take turns, so that whatever else the machine is doing falls on all of them alike, in an order that is
+    drawn anew for each round: else one would always come after the slowest. What they hold is
     frozen: else Python would search the million lists of one peer for garbage in the turn of another.
     """
     gc.collect()
     gc.freeze()
     after, again = ({name: [] for name in actions} for _ in range(2))
+    order, drawn = list(actions), random.Random(0)
     for number in range(repeats + 1):
-        for name, action in actions.items():
+        drawn.shuffle(order)
+        for name in order:
+            action = actions[name]
             turn = [timed(action, times * number + time) for time in range(times)]
             after[name].append(turn[0])
             again[name].append(turn[-1])
