@@ -19,10 +19,11 @@ def refuse_foreign(text):
 
     >>> refuse_foreign("%\\nG1 X2"), refuse_foreign("hello\\nG1 X2")
     (None, None)
-    >>> refuse_foreign("solid part\\nfacet normal 0 0 1")
-    Traceback (most recent call last):
-    sweep_addon.core.machining.programs.lines.ProgramError: line 1 is of no program of RS-274 ("G-code"), whose \
-lines are of words as G1 X2.5, got 'solid part'
+    >>> try:
+    ...     refuse_foreign("solid part\\nfacet normal 0 0 1")
+    ... except ProgramError as refusal:
+    ...     print(refusal)
+    line 1 is of no program of RS-274 ("G-code"), whose lines are of words as G1 X2.5, got 'solid part'
     """
     number, first = next(((n, line) for n, line in enumerate(text.split("\n"), 1) if bare(line)), (0, ""))
     if not FOREIGN.match(bare(first)):
