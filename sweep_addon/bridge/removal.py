@@ -109,22 +109,23 @@ def animate(part, path, start, frames):
     matrices = path.matrices(frames)
     straight = [not leg.turns for leg in path.legs]
     rotated = {"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}
-    rotation = rotated.get(part.rotation_mode, "rotation_euler")
+    channels = "location", rotated.get(part.rotation_mode, "rotation_euler")
     for step, matrix in enumerate(matrices):
         if step % frames and straight[step // frames]:
             continue
         part.matrix_world = Matrix((matrix @ here).tolist())
-        for channel in ("location", rotation):
+        for channel in channels:
             part.keyframe_insert(channel, frame=start + step)
     part.matrix_world = Matrix(here.tolist())
-    for curve in curves(part):
+    for curve in curves(part, channels):
         for key in curve.keyframe_points:
-            key.interpolation = "LINEAR"
+            if start <= key.co.x < start + len(matrices):  # others are the person's own
+                key.interpolation = "LINEAR"
     return start + len(matrices) - 1
 
 
-def curves(ob):
-    """The curves of an object's action."""
+def curves(ob, channels):
+    """The curves of some channels in an object's action."""
     data = ob.animation_data
     bags = [strip.channelbag(data.action_slot) for layer in data.action.layers for strip in layer.strips]
-    return [curve for bag in bags if bag for curve in bag.fcurves]
+    return [curve for bag in bags if bag for curve in bag.fcurves if curve.data_path in channels]

@@ -49,6 +49,19 @@ def test_a_drawer_is_animated_out_of_its_case_and_its_way_drawn(scene):
     assert np.allclose(low, (-0.2, -0.6004, -0.1), atol=2e-3) and np.allclose(high, (0.2, 0.2, 0.1), atol=1e-6)
 
 
+def test_keys_that_the_part_had_elsewhere_stay_as_they_are(scene):
+    part, _ = planted(drawer())
+    part.keyframe_insert("location", frame=-20)
+    part.keyframe_insert("scale", frame=3)
+    (layer,) = part.animation_data.action.layers
+    bag = layer.strips[0].channelbag(part.animation_data.action_slot)
+    for curve in bag.fcurves:
+        curve.keyframe_points[0].interpolation = "CONSTANT"
+    assert bpy.ops.object.sweep_find_removal_path(frames=10) == {"FINISHED"}
+    kept = [key for curve in bag.fcurves for key in curve.keyframe_points if key.interpolation == "CONSTANT"]
+    assert sorted(key.co.x for key in kept) == [-20] * 3 + [3] * 3
+
+
 def test_objects_are_read_where_they_stand(scene):
     """Moved, turned and mirrored together they come apart along the same way."""
     part, case = planted(drawer())
