@@ -10,6 +10,8 @@ import struct
 import subprocess
 import sys
 import tomllib
+from collections import Counter
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -356,6 +358,50 @@ def test_models_hold_the_shape(scene, job, capfd):
     assert np.allclose(high_glb, high[[0, 2, 1]], atol=1e-5)
     assert len(document["materials"]) == 2 and len(document["nodes"]) == 1
     assert f"element vertex {len(mesh.vertices)}" in built(job, ".ply", capfd)[:2000].decode("latin-1")
+
+
+def obj_triangles(data):
+    """Faces of more corners in fans, as many readers have them."""
+    lines = [line.split() for line in data.decode().splitlines() if line[:2] == "f "]
+    faces = [[int(corner.split("/")[0]) - 1 for corner in line[1:]] for line in lines]
+    return obj_vertices(data)[[(face[0], *pair) for face in faces for pair in pairwise(face[1:])]]
+
+
+def glb_triangles(data):
+    (size,) = struct.unpack_from("<I", data, 12)
+    document, places = json.loads(data[20 : 20 + size]), memoryview(data)[28 + size :]
+
+    def read(number):
+        accessor = document["accessors"][number]
+        view = document["bufferViews"][accessor["bufferView"]]
+        kind = {5123: "<u2", 5125: "<u4", 5126: "<f4"}[accessor["componentType"]]
+        count = accessor["count"] * {"SCALAR": 1, "VEC3": 3}[accessor["type"]]
+        return np.frombuffer(places, kind, count, view.get("byteOffset", 0))
+
+    parts = [part for mesh in document["meshes"] for part in mesh["primitives"]]
+    found = [read(part["attributes"]["POSITION"]).reshape(-1, 3)[read(part["indices"])] for part in parts]
+    return np.concatenate(found).reshape(-1, 3, 3).astype(float)
+
+
+@pytest.mark.parametrize("twist", ["2 * pi * t", "-2 * pi * t"])
+@pytest.mark.parametrize(
+    ("suffix", "read"), [(".stl", stl_triangles), (".glb", glb_triangles), (".obj", obj_triangles)]
+)
+@pytest.mark.parametrize("bored", [False, True])
+def test_models_of_twisted_bars_are_as_thick_as_lines_between_their_rings_make_them(
+    scene, tmp_path, capfd, suffix, read, twist, bored
+):
+    """Turned by an angle from ring to ring, the section is on average 1 - (1 - cos angle) / 3 of the contour's."""
+    bar = sw.GeneralizedCylinder(sw.contours.Rectangle(0.1, 0.1), sw.trajectories.Line(end=(0, 0, 1)), twist=twist)
+    step = 2 * np.pi / (bar.mesh().rings - 1)
+    expected = 0.01 * (1 - (1 - np.cos(step)) / 3) - 0.02**2 * bored
+    job = tmp_path / "bar.toml"
+    job.write_text(sw.dump(bar - sw.solids.Block(0.02, 0.02, 3.0) if bored else bar))
+    found = read(built(job, suffix, capfd))
+    assert signed_volume(found) == pytest.approx(expected, rel=1e-4)
+    ends = np.round(found, 5)
+    edges = Counter(map(tuple, np.concatenate((ends, np.roll(ends, -1, axis=1)), axis=2).reshape(-1, 6).tolist()))
+    assert all(edges[edge[3:] + edge[:3]] == times for edge, times in edges.items())
 
 
 def test_models_hold_loose_edges_and_points(scene, tmp_path, capfd):

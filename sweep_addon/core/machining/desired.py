@@ -37,7 +37,7 @@ class Desired:
     @classmethod
     def of(cls, mesh, machined, allowance):
         """Those of a mesh within the block of machined stock."""
-        places, seen = np.asarray(mesh.vertices, dtype=np.float64), seen_from_above(mesh)
+        places, seen = seen_from_above(mesh)
         height, *around = (
             np.clip(
                 top_of(places, seen, machined.lattice, np.multiply(side, allowance)), machined.low[2], machined.high[2]

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..meshes.facets import bent_facets
 from .cells import cells, shares
 
 AWAY = 1e-9  # of the size of a triangle: so far beside it a place still counts as on it
@@ -43,17 +44,18 @@ def top_of(vertices, triangles, lattice, shift=(0.0, 0.0)):
 
 
 def seen_from_above(mesh):
-    """The triangles of a mesh that its highest points are on: of a closed one those that look up: (t, 3) int array.
+    """The vertices of a mesh and the triangles that its highest points are on: of a closed one those that look up.
 
     One that is inside out, as a mirrored object may be, is taken for what it bounds.
     """
-    triangles = mesh.triangles
+    vertices, triangles = bent_facets(mesh)
+    vertices = np.asarray(vertices, dtype=np.float64)
     if len(mesh.boundary_edges()):
-        return triangles
-    x, y = np.moveaxis(mesh.vertices[triangles][:, :, :2], 2, 0)
+        return vertices, triangles
+    x, y = np.moveaxis(vertices[triangles][:, :, :2], 2, 0)
     one, other = (np.stack((x[:, k] - x[:, 0], y[:, k] - y[:, 0])) for k in (1, 2))
     upward = one[0] * other[1] - one[1] * other[0]
-    return triangles[upward > 0 if mesh.volume() > 0 else upward < 0]
+    return vertices, triangles[upward > 0 if mesh.volume() > 0 else upward < 0]
 
 
 def boxes(corners, lattice):

@@ -76,34 +76,63 @@ def bent_facets(mesh):
     >>> bool(np.isclose(dot(np.cross(a, b), c).sum() / 6, mesh.volume(), rtol=1e-12))
     True
     """
-    four = np.flatnonzero(np.diff(mesh.offsets) == 4)
-    corners = mesh.corners[mesh.offsets[four, None] + np.arange(4)]
-    a, b, c, d = mesh.vertices[corners].swapaxes(0, 1)
-    across = np.cross(c - a, d - b)
-    bent = np.abs(dot(b - a, across)) > BENT * dot(across, across) ** 0.75
+    return cut(mesh)[:2]
+
+
+def cut(mesh):
+    """Those vertices and triangles, and the face that each is a part of: (n, 3), (t, 3) and (t,) arrays."""
     triangles, face = facets(mesh)
-    if not bent.any():
-        return mesh.vertices, triangles
-    corners = corners[bent]
+    bent, corners, _ = bent_faces(mesh.vertices, mesh.corners, mesh.offsets)
+    if not len(bent):
+        return mesh.vertices, triangles, face
     middle = np.broadcast_to(len(mesh.vertices) + np.arange(len(corners))[:, None], corners.shape)
     fans = np.stack((corners, np.roll(corners, -1, axis=1), middle), axis=-1).reshape(-1, 3)
     vertices = np.concatenate((mesh.vertices, mesh.vertices[corners].mean(axis=1)))
-    return vertices, np.concatenate((triangles[~np.isin(face, four[bent])], fans))
+    flat = ~np.isin(face, bent)
+    return vertices, np.concatenate((triangles[flat], fans)), np.concatenate((face[flat], np.repeat(bent, 4)))
+
+
+def bent_faces(vertices, corners, offsets):
+    """The bent ones among faces, of those of four corners.
+
+    Parameters
+    ----------
+    vertices : (n, 3) float array
+    corners : (c,) int array
+    offsets : (f + 1,) int array
+        As those of a `Mesh`.
+
+    Returns
+    -------
+    numbers : (k,) int array
+    corners : (k, 4) int array
+        Their vertices.
+    bulge : (k,) float array
+        The volume between the two ways to cut each along a diagonal in cubic metres, positive where the one from its
+        second corner to its last is outside.
+    """
+    four = np.flatnonzero(np.diff(offsets) == 4)
+    corners = corners[offsets[four, None] + np.arange(4)]
+    a, b, c, d = vertices[corners].swapaxes(0, 1)
+    across = np.cross(c - a, d - b)
+    rise = dot(b - a, across)
+    bent = np.abs(rise) > BENT * dot(across, across) ** 0.75
+    return four[bent], corners[bent], rise[bent] / 6
 
 
 def over_the_other(mesh, start):
     """1 for each face of four corners that is to be cut from its second corner to its last, else 0."""
     a, b, c, d = (mesh.vertices[mesh.corners[start + i]] for i in range(4))
-    normal = np.cross(c - a, d - b)
-
-    def sound(p, q, r, s):
-        """Whether both triangles of the diagonal from p to r look where the face does."""
-        halves = np.cross(q - p, r - p), np.cross(r - p, s - p)
-        return (dot(halves[0], normal) > 0) & (dot(halves[1], normal) > 0)
-
     one, other = sound(a, b, c, d), sound(b, c, d, a)
     shorter = dot(d - b, d - b) < dot(c - a, c - a)
     return (np.where(one == other, shorter, other)).astype(mesh.offsets.dtype)
+
+
+def sound(a, b, c, d):
+    """Whether both triangles of the diagonal from a to c look where the face a, b, c, d does: (n,) bool array."""
+    normal = np.cross(c - a, d - b)
+    halves = np.cross(b - a, c - a), np.cross(c - a, d - a)
+    return (dot(halves[0], normal) > 0) & (dot(halves[1], normal) > 0)
 
 
 def convex(mesh, sizes):

@@ -10,6 +10,7 @@ from ..declared.frozen import individual
 from ..declared.options import Engine, Side
 from ..declared.parameters import ShapeError, require
 from ..declared.wording import shown
+from ..meshes.facets import bent_facets
 from ..meshes.polyhedron import polyhedron
 from ..progress import unheard, within
 from ..resolving.tidying import tidied_arrays
@@ -130,7 +131,8 @@ def offset(mesh, radius, side=Side.OUTSIDE, tolerance=0.0, engine=Engine.AUTOMAT
     require(not len(odd), "must be manifold and look outwards", f"{len(odd)} edges that are not", "body")
     volume = mesh.volume()
     require(volume > 0, "must look outwards and hold something", volume, "body")
-    vertices, triangles = mesh.vertices, mesh.triangles.astype(np.int64)
+    vertices, triangles = bent_facets(mesh)
+    triangles = triangles.astype(np.int64)
     wrong = inward_part(vertices, triangles)
     require(not wrong, "must look outwards where it is not a cavity of another", f"part {wrong}", "body")
     least = LEAST * np.ptp(vertices, axis=0).max()

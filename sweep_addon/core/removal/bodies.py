@@ -11,6 +11,7 @@ from ..declared.parameters import at, require
 from ..distance import PseudoNormals, Tree, nearest
 from ..later import later
 from ..meshes.components import components
+from ..meshes.facets import bent_facets
 from ..meshes.mesh import Mesh
 from ..shapes.operand import Operand
 from ..vectors import norms
@@ -118,9 +119,11 @@ def taken(value, key):
     open_edges, others = len(mesh.boundary_edges()), len(mesh.non_manifold_edges())
     require(not open_edges, "must be closed, for a surface has no inside", f"{open_edges} open edges", key)
     require(not others, "must be manifold, each edge of two faces", f"{others} other edges", key)
-    size, held = float(np.ptp(vertices, axis=0).max()), volume(vertices, mesh.triangles)
+    vertices, triangles = bent_facets(mesh)
+    vertices = np.asarray(vertices, dtype=np.float64)
+    size, held = float(np.ptp(vertices, axis=0).max()), volume(vertices, triangles)
     require(abs(held) > FLATTEST * size**3, "must hold something", f"a volume of {held:.3g}", key)
-    return outward(key, vertices, np.asarray(mesh.triangles))
+    return outward(key, vertices, triangles)
 
 
 def instead(value):

@@ -5,7 +5,10 @@
 import numpy as np
 
 from ..declared.parameters import Array, count, declared, length, parameter, require
+from ..later import later
 from ..shapes.operand import Operand
+
+bent_facets = later("core.meshes.facets", "bent_facets")
 
 MOST = 1_000_000  # vertices and triangles
 TETRAHEDRON = ((0.0, 0.0, 0.3), (0.3, 0.0, -0.1), (-0.15, 0.26, -0.1), (-0.15, -0.26, -0.1))
@@ -193,9 +196,8 @@ class Triangles(Operand):
 
     @classmethod
     def of(cls, mesh):
-        """The triangles of a `Mesh`, its larger faces cut into several."""
-
-        return cls(mesh.vertices, mesh.triangles)
+        """The triangles of a `Mesh`, its larger faces cut into several, bent ones of four corners into four."""
+        return cls(*bent_facets(mesh))
 
     def scaled(self, factor):
         """The triangles made larger or smaller about the origin."""

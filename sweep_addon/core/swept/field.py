@@ -8,7 +8,7 @@ import numpy as np
 
 from ..declared.frozen import individual
 from ..distance import PseudoNormals, Tree, nearest
-from ..meshes.facets import facets
+from ..meshes.facets import bent_facets
 from ..vectors import unit
 
 MOST = 300_000  # nodes of the lattice
@@ -43,8 +43,8 @@ class Field:
     @classmethod
     def of(cls, mesh, step):
         """The field of a closed `Mesh`, with cells of that side, or larger ones where there would be too many."""
-        triangles, _ = facets(mesh)
-        vertices = np.asarray(mesh.vertices, dtype=np.float64)
+        vertices, triangles = bent_facets(mesh)
+        vertices = np.asarray(vertices, dtype=np.float64)
         low, high = vertices.min(axis=0), vertices.max(axis=0)
         while (counts := np.ceil((high - low) / step).astype(int) + 1 + 2 * AROUND).prod() > MOST:
             step *= LARGER

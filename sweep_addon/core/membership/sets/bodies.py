@@ -7,7 +7,7 @@ import numpy as np
 from ...declared.options import Side
 from ...declared.parameters import require
 from ...distance import PseudoNormals, Tree, nearest
-from ...meshes.facets import facets
+from ...meshes.facets import bent_facets
 from ...vectors import norms
 from ..labels import IN, ON, OUT
 
@@ -47,7 +47,8 @@ class MeshBody(Body):
     def __init__(self, mesh):
         wrong = len(mesh.non_manifold_edges()) + len(mesh.boundary_edges())
         require(not wrong, "must be closed and manifold", f"{wrong} edges without two faces")
-        vertices, (triangles, _) = np.asarray(mesh.vertices, dtype=np.float64), facets(mesh)
+        vertices, triangles = bent_facets(mesh)
+        vertices = np.asarray(vertices, dtype=np.float64)
         triangles = triangles if mesh.volume() > 0 else triangles[:, ::-1]
         self.tree, self.normals = Tree.of(vertices[triangles]), PseudoNormals.of(vertices, triangles)
         self.box = np.stack((vertices.min(axis=0), vertices.max(axis=0)))

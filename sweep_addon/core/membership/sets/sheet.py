@@ -5,6 +5,7 @@
 import numpy as np
 
 from ...distance import Tree, nearest
+from ...meshes.facets import bent_facets
 from ...vectors import dot, norms
 from ..labels import ON, OUT
 
@@ -23,8 +24,10 @@ class SheetBody:
 
     def __init__(self, mesh):
         vertices = np.asarray(mesh.vertices, dtype=np.float64)
-        triangles = mesh.triangles if len(mesh.corners) else np.zeros((0, 3), dtype=int)
-        self.tree = Tree.of(vertices[triangles]) if len(triangles) else None
+        self.tree = None
+        if len(mesh.corners):
+            places, triangles = bent_facets(mesh)
+            self.tree = Tree.of(np.asarray(places, dtype=np.float64)[triangles])
         edges = mesh.edges[np.bincount(mesh.topology.corner_edges, minlength=len(mesh.edges)) == 0]
         alone = np.setdiff1d(np.arange(len(vertices)), mesh.edges)
         lines = np.concatenate((edges, np.stack((alone, alone), axis=1)))

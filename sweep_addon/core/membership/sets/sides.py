@@ -8,6 +8,7 @@ import numpy as np
 
 from ...distance import PseudoNormals, Tree, nearest
 from ...distance.triangles import INTERIOR, VERTEX
+from ...meshes.facets import bent_facets
 from ...vectors import dot, norms, unit
 from ..motion.boxes import APART, from_box
 from ..motion.changes import ASIDE
@@ -35,8 +36,8 @@ class Sided:
     overlaps = False
 
     def __init__(self, mesh):
-        triangles = mesh.triangles
-        places = np.asarray(mesh.vertices, dtype=np.float64)[triangles].reshape(-1, 3)
+        vertices, triangles = bent_facets(mesh)
+        places = np.asarray(vertices, dtype=np.float64)[triangles].reshape(-1, 3)
         vertices, triangles = np.unique(places, axis=0, return_inverse=True)
         triangles = triangles.reshape(-1, 3)
         triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
