@@ -294,6 +294,12 @@ def test_both_bodies_of_random_contours_across_the_axis_are_solids(draws):
         assert not len(kept.mesh().boundary_edges()) and not len(kept.mesh().non_manifold_edges())
 
 
+def test_too_few_contours_are_refused_where_they_are_said():
+    with pytest.raises(ShapeError, match="^samples.contours: must be at least 3 for this angle, got 2$"):
+        RotationalSweep(samples=Count(2))
+    RotationalSweep(samples=Count(2), angle=1.0)
+
+
 @pytest.mark.parametrize(
     ("sentence", "given"),
     {

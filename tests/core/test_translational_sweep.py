@@ -171,6 +171,37 @@ def test_refusal_tells_the_angle_at_which_all_is_gone_at_the_height(name):
     assert roof.vertices[:, 2].max() == pytest.approx(2.0, rel=1e-6)
 
 
+@pytest.mark.parametrize("name", ["a square is a point at half its width", *LARGEST])
+def test_a_taper_that_leaves_nothing_of_the_width_is_no_value_at_all(name):
+    """It is refused where it is said, and not where it is first drawn."""
+    contour = LARGEST[name][0] if name in LARGEST else Rectangle(2, 2)
+    wide = np.ptp(contour.section().points, axis=0).min()
+    least = atan(wide / 2 / 0.7)
+    both, symmetric = dict(directions="both", depth=0.7, height=0.1), dict(directions="symmetric", height=1.4)
+    for given in (dict(height=0.7), both, symmetric):
+        shape = dict(contour=contour, **given)
+        with pytest.raises(ShapeError, match="^taper: must be at most "):
+            TranslationalSweep(**shape, taper=least * (1 + 1e-5), hole_taper=0.1)
+        TranslationalSweep(**shape, taper=-least, hole_taper=-0.1)
+
+
+@pytest.mark.parametrize("points", [3, 4, 5, 32])
+def test_a_taper_beyond_the_tip_of_a_cone_is_no_value_at_all(points):
+    tip = atan(cos(pi / points) / 2)
+    with pytest.raises(ShapeError, match="^taper: must be at most "):
+        TranslationalSweep(Circle(1.0, points), 2.0, taper=tip * (1 + 1e-5))
+    TranslationalSweep(Circle(1.0, points), 2.0, taper=tip * (1 - 1e-5))
+
+
+def test_a_loop_that_is_left_or_grows_is_no_reason_to_refuse_another():
+    two = Outline([box((0, 0), (2, 2)), box((3, 0), (4, 1))])
+    TranslationalSweep(two, 1.0, tapers=[0.7, 0.7])
+    TranslationalSweep(two, 1.0, tapers=[1.4, -0.1])
+    TranslationalSweep(LARGEST["a hole meets its outline"][0], 1.0, taper=0.3, hole_taper=1.5)
+    with pytest.raises(ShapeError, match="^tapers: must be at most "):
+        TranslationalSweep(two, 1.0, tapers=[0.8, 0.8])
+
+
 @pytest.mark.parametrize("name", LARGEST)
 @pytest.mark.parametrize("short", [0, 1e-15, 1e-12, 1e-9, 5e-7])
 def test_edges_that_meet_at_the_height_or_hardly_beyond_meet_there(name, short):
@@ -301,7 +332,7 @@ def test_random_prisms_are_solids(draws):
 )
 def test_what_will_not_do_is_refused_in_one_sentence(sentence, given):
     with pytest.raises(ShapeError) as caught:
-        TranslationalSweep(**given).mesh()
+        TranslationalSweep(**given)
     assert str(caught.value) == sentence
 
 

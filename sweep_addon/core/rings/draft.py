@@ -13,6 +13,7 @@ from ..later import later
 crossings = later("core.contours.crossing", "crossings")
 
 ALIKE = 1e-6  # of a height: single precision, which Blender keeps, tells no less apart
+LOOKED_AT = 64  # edges of a loop, across which its width is measured
 HALVINGS = 32  # of the way to a height at which edges meet
 
 
@@ -47,6 +48,38 @@ def draft(section, slopes, heights):
     moves = mitres(section) * slopes[section.loop_of, None]
     reached, points = zip(*(reachable(section, moves, height) for height in heights), strict=True)
     return Draft(moves, tuple(drafted(section, moves, height) for height in heights), reached, points)
+
+
+def room(points):
+    """At most how far the edges of a loop can all move inwards, in metres: less where it is narrower than it shows.
+
+    That is half its width across any of its edges, of which some are looked at; of a convex one also twice its area
+    over its length, which is exact where all edges touch one circle.
+
+    Parameters
+    ----------
+    points : (n, 2) float array
+        Counter-clockwise.
+
+    Examples
+    --------
+    >>> from ..contours import Rectangle, RegularPolygon
+    >>> room(Rectangle(2, 3).section().points)
+    1.0
+    >>> round(room(RegularPolygon(sides=3, radius=1.0).section().points), 12)
+    0.5
+    """
+    edges = np.roll(points, -1, axis=0) - points
+    lengths = np.hypot(*edges.T)
+    some = slice(None, None, -(-len(points) // LOOKED_AT))
+    across = (edges[some] / lengths[some, None])[:, ::-1] * (-1, 1)
+    widths = np.ptp((points - points[0]) @ across.T, axis=0)
+    x, y = edges.T
+    if (x * np.roll(y, -1) < y * np.roll(x, -1)).any():
+        return float(widths.min()) / 2
+    here = points - points[0]
+    twice = here[:, 0] @ np.roll(here[:, 1], -1) - here[:, 1] @ np.roll(here[:, 0], -1)
+    return float(min(widths.min() / 2, twice / lengths.sum()))
 
 
 def mitres(section):

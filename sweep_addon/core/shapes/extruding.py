@@ -90,6 +90,25 @@ def heights_of(sweep):
     return np.union1d(heights, 0.0)
 
 
+def require_possible(sweep):
+    """Refuse what the contour shows to have no mesh: see `TranslationalSweep.check`.
+
+    Where a draft leaves nothing of a contour that is wide enough is known once its edges have moved, which may take
+    seconds: that mesh is refused.
+    """
+    heights = heights_of(sweep)
+    for section in filter(None, sections_of(sweep)):
+        require_few(len(heights) * len(section.points), "steps")
+        slopes = drafted_slopes(sweep, section)
+        outer = section.areas >= 0
+        if not (slopes[outer] > 0).all():
+            continue
+        loops = zip(np.split(section.points, section.offsets[1:-1]), slopes.tolist(), outer, strict=True)
+        gone = max(draft.room(points) / slope for points, slope, whole in loops if whole)
+        if gone < np.abs(heights).max() * (1 - draft.ALIKE) and not roof_of(sweep, section, heights):
+            draft_of(sweep, section, heights)  # one of them refuses it, and tells which angle will do
+
+
 def draft_of(sweep, section, heights):
     """The section drafted to its ends: a `Draft`; refused where it does not reach them."""
     slopes, found = known_draft(sweep, section, heights)
@@ -101,10 +120,7 @@ def draft_of(sweep, section, heights):
 
 def known_draft(sweep, section, heights):
     """The slopes of a section's loops, and the `Draft`, whether or not it reaches its ends."""
-    slopes, ends = slopes_of(sweep, section), np.abs(heights[[0, -1]]).tolist()
-    if not section.closed:
-        key, angle = steepest(sweep, slopes)
-        require(not angle, "must be 0 where the contour has open curves or points, which have no inside", angle, key)
+    slopes, ends = drafted_slopes(sweep, section), np.abs(heights[[0, -1]]).tolist()
     return slopes, draft.draft(section, tuple(slopes.tolist()), tuple(ends))
 
 
@@ -141,6 +157,15 @@ def roof_of(sweep, section, heights):
         if gone < height * (1 - draft.ALIKE):
             raise refusal(sweep, slopes, height, gone, True, "nothing is left")
     return made
+
+
+def drafted_slopes(sweep, section):
+    """The tangent of the taper of each loop, (k,) float array; refused where the loops have no inside to lean to."""
+    slopes = slopes_of(sweep, section)
+    if not section.closed:
+        key, angle = steepest(sweep, slopes)
+        require(not angle, "must be 0 where the contour has open curves or points, which have no inside", angle, key)
+    return slopes
 
 
 def slopes_of(sweep, section):

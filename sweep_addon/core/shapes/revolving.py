@@ -26,7 +26,6 @@ from .rotational_sweep import WHOLE, Crossing
 
 in_plane = later("core.grids.in_plane")  # of contours on the axis
 
-WIDEST = tau / 3  # of a step: two are no turn
 LESS = f"must be less than half a turn, {pi:.6g}, where crossing is meet and the sides then sweep the same places"
 OVERLAP = f"{PREFIX}beyond half a turn both sides of the contour sweep the same places, and their bodies overlap."
 
@@ -123,9 +122,6 @@ def turns_of(sweep, sections):
     size = abs(sweep.turn)
     if isinstance(sweep.samples, Count):
         steps = sweep.samples.contours - (not sweep.closed)
-        least = ceil(size / WIDEST - WHOLE)
-        sentence = f"must be at least {least + (not sweep.closed)} for this angle"
-        require(steps >= least, sentence, sweep.samples.contours, "samples.contours")
     else:
         radius = max(float(np.abs(section.points[:, 0]).max()) for section in sections)
         wanted = size / min(chord_angle(sweep.samples.chord, radius), WIDEST_BEND)

@@ -3,7 +3,7 @@
 """The rotational sweep: a contour turned about an axis in its plane, all round or in part, or along a screw."""
 
 from enum import Enum
-from math import copysign, tau
+from math import ceil, copysign, tau
 
 import numpy as np
 
@@ -12,13 +12,14 @@ from ..declared.options import Texture, solid_option
 from ..declared.parameters import angle, declared, parameter, proven, require
 from ..later import later
 from ..rings.ends import Cap, Flat
-from ..stations.sampling import Sampling, Tolerance
+from ..stations.sampling import Count, Sampling, Tolerance
 from .operand import Operand
 
 revolving = later("core.shapes.revolving")
 
 ATTRIBUTES = "UVs and Attributes"
 WHOLE = 1e-6  # of a turn: an angle so close to one closes
+WIDEST = tau / 3  # of a step: two are no turn
 MOST_TURNS = 10_000
 PULLEY = ((0.25, -0.4), (1.0, -0.4), (0.7, 0.0), (1.0, 0.4), (0.25, 0.4))
 
@@ -68,13 +69,17 @@ class RotationalSweep(Operand):
     make_solid: bool = solid_option()
 
     def check(self):
-        """Refuse no angle or more than a turn without a pitch, and an axis without a direction."""
+        """Refuse no angle or more than a turn without a pitch, an axis without a direction, and too few contours."""
         require(self.angle, "must not be 0", self.angle, "angle")
         once = self.pitch or abs(self.angle) <= tau * (1 + WHOLE)
         require(once, f"must be at most a turn, {tau:.6g}, without a pitch", self.angle, "angle")
         require(any(self.axis_direction), "must have a length", list(self.axis_direction), "axis_direction")
         boxed = self.fit is Fit.CIRCUMSCRIBED
         require(not boxed, "must be inscribed or area-true for a rotational sweep", "circumscribed", "fit")
+        if isinstance(self.samples, Count):
+            least = ceil(abs(self.turn) / WIDEST - WHOLE) + (not self.closed)
+            told = self.samples.contours
+            require(told >= least, f"must be at least {least} for this angle", told, "samples.contours")
 
     @classmethod
     def beside(cls, contour):

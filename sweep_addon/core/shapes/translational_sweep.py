@@ -16,6 +16,7 @@ from .operand import Operand
 
 extruding = later("core.shapes.extruding")
 
+FEW = 100  # steps of any contour make no mesh that is too large
 ATTRIBUTES = "UVs and Attributes"
 STEEPEST = radians(89)
 FLATTEST = 1e-6  # of a direction's length, out of the contour's plane
@@ -85,7 +86,9 @@ class TranslationalSweep(Operand):
     regularize: bool = parameter(False, "Keep only the parts that are solid, closed and manifold")
 
     def check(self):
-        """Refuse a direction down or nearly along the contour's plane, and drafts and steps within the plane."""
+        """Refuse a direction down or nearly along the contour's plane, drafts and steps within the plane, and what the
+        contour cannot have: a fit, too many steps, drafts of open curves or of other loops, or steeper than its width.
+        """
         size = float(np.linalg.norm(self.direction))
         up = self.direction[2] > FLATTEST * size or self.within_plane
         require(up, "must point up, out of the contour's plane, or lie within it", list(self.direction), "direction")
@@ -96,6 +99,8 @@ class TranslationalSweep(Operand):
         tapers = self.tapers.values
         wrong = tapers[np.abs(tapers) > STEEPEST]
         require(not len(wrong), f"must be at most {STEEPEST:.4g} in size", float((*wrong, 0.0)[0]), "tapers")
+        if self.is_drafted or self.steps > FEW or self.fit is not Fit.INSCRIBED:  # else it needs no section yet
+            extruding.require_possible(self)
 
     def mesh(self, dtype=np.float64):
         """The surface as a mesh: closed, manifold and outward unless an end is open.
