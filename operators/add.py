@@ -9,16 +9,14 @@ from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 from bpy_extras.object_utils import AddObjectHelper, add_object_align_init, object_data_add
 
-from ..sweep_addon.bridge import rna
-from ..sweep_addon.core.declared.parameters import ShapeError, parameters, spelled
-from ..sweep_addon.core.declared.wording import summary, titled
+from ..sweep_addon.core.declared.names import number_of, spelled
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.shapes.kinds import SHAPES
-from ..sweep_addon.core.trajectories import Line
-from ..sweep_addon.properties.sweep import update
+from ..sweep_addon.properties.sweep import TABLE, annotations
 
 layout, objects, placing = later("bridge.layout"), later("bridge.objects"), later("bridge.placing")
-presets = later("presets")
+parameters, read = later("core.declared.parameters", "parameters"), later("bridge.rna", "read")
+presets, trajectories = later("presets"), later("core.trajectories")
 
 
 class AddObject:
@@ -35,13 +33,13 @@ class AddShape(AddObject):
 
     def draw(self, context):
         self.layout.use_property_split = True
-        layout.draw(self.layout, self, parameters(self.shape))
+        layout.draw(self.layout, self, parameters(objects.SHAPE[self.shape]))
         for name in ("align", "location", "rotation"):
             self.layout.prop(self, name)
 
     def execute(self, context):
         try:
-            mesh = objects.new_mesh(rna.read(self, self.shape))
+            mesh = objects.new_mesh(read(self, objects.SHAPE[self.shape]))
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -55,14 +53,14 @@ def idname(shape):
 
 
 def add_operator(shape):
-    """The operator that adds one shape."""
-    name = spelled(shape, "_")
+    """The operator that adds one shape of the table."""
+    name = shape["name"]
     members = {
-        "__doc__": summary(shape),
-        "__annotations__": rna.annotations(parameters(shape), update=update),  # shared with the mesh's own
-        "bl_idname": idname(shape),
-        "bl_label": titled(shape),
-        "shape": shape,
+        "__doc__": shape["doc"],
+        "__annotations__": annotations(shape["properties"]),  # shared with the mesh's own
+        "bl_idname": f"mesh.{name}_add",
+        "bl_label": shape["title"],
+        "shape": name.upper(),
     }
     return type(f"MESH_OT_{name}_add", (AddShape, Operator), members)
 
@@ -75,7 +73,7 @@ def items(operator, context):
 @cache
 def offered():
     # Kept: Blender does not hold on to the texts.
-    return [(preset.name.upper(), preset.title, "", rna.number_of(preset.name)) for preset in presets.PRESETS]
+    return [(preset.name.upper(), preset.title, "", number_of(preset.name)) for preset in presets.PRESETS]
 
 
 class MESH_OT_sweep_preset_add(Operator, AddObject):
@@ -85,7 +83,7 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
     bl_label = "Sweep Preset"
     bl_options = {"REGISTER", "UNDO"}
 
-    preset: EnumProperty(name="Preset", description="What to add", items=items, default=rna.number_of("pipe"))
+    preset: EnumProperty(name="Preset", description="What to add", items=items, default=number_of("pipe"))
     follow: BoolProperty(
         name="Follow the Active Curve",
         description="Sweep a preset that is straight along the active curve, if that is selected",
@@ -107,9 +105,9 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
         curve = context.active_object
         try:
             shape, title = presets.shape(self.preset.lower()), presets.BY_NAME[self.preset.lower()].title
-            if not isinstance(shape, SHAPES):
+            if not isinstance(shape, objects.SHAPES):
                 return self.place(context, objects.to_object(shape, title))
-            straight = isinstance(getattr(shape, "trajectory", None), Line)
+            straight = isinstance(getattr(shape, "trajectory", None), trajectories.Line)
             follows = self.follow and straight and curve and curve.type == "CURVE"
             given = {"trajectory": curve} if follows and curve.select_get() else {}
             mesh = objects.new_mesh(shape, title, **given)
@@ -132,4 +130,4 @@ class MESH_OT_sweep_preset_add(Operator, AddObject):
         return {"FINISHED"}
 
 
-OPERATORS = (*map(add_operator, SHAPES), MESH_OT_sweep_preset_add)
+OPERATORS = (*map(add_operator, TABLE["shapes"]), MESH_OT_sweep_preset_add)

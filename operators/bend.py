@@ -5,7 +5,7 @@
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 
 bent, objects, placing = later("bridge.bent"), later("bridge.objects"), later("bridge.placing")

@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tell which vertices of a mesh are in a sweep or a tree, or where the cursor is."""
 
-import numpy as np
 from bpy.props import FloatProperty
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 from .combine import others
 
@@ -47,18 +46,18 @@ class OBJECT_OT_sweep_classify(Operator):
         context.view_layer.update()
         try:
             if chosen:
-                found = np.concatenate([membership.of_mesh(ob, other, self.tolerance) for other in chosen])
+                found = [membership.of_mesh(ob, other, self.tolerance) for other in chosen]
             else:
-                cursor = np.array(context.scene.cursor.location, dtype=float)
-                found = membership.of_points(ob, cursor[None], self.tolerance)
+                found = membership.of_points(ob, [context.scene.cursor.location], self.tolerance)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         if not chosen:
             self.report({"INFO"}, f"The cursor is {PLACES[int(found[0])]} {ob.name!r}")
             return {"FINISHED"}
-        counts = ", ".join(f"{int((found == value).sum()):,} {word}" for value, word in PLACES.items())
-        self.report({"INFO"}, f"Of {len(found):,} vertices {counts} {ob.name!r}")
+        counts = {word: sum(int((part == value).sum()) for part in found) for value, word in PLACES.items()}
+        told = ", ".join(f"{count:,} {word}" for word, count in counts.items())
+        self.report({"INFO"}, f"Of {sum(counts.values()):,} vertices {told} {ob.name!r}")
         if context.space_data and context.space_data.type == "VIEW_3D":
             context.space_data.shading.color_type = "VERTEX"
         return {"FINISHED"}

@@ -4,7 +4,7 @@
 
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 from .on_active import can_change
 

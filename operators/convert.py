@@ -5,7 +5,7 @@
 import bpy
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 
 bevel, curve_to_mesh = later("bridge.bevel"), later("bridge.curve_to_mesh")

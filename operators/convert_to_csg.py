@@ -4,12 +4,11 @@
 
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from .on_active import can_change
 
-conversion, objects = later("bridge.conversion"), later("bridge.objects")
+conversion, kinds, objects = later("bridge.conversion"), later("core.shapes.kinds"), later("bridge.objects")
 
 
 class OBJECT_OT_sweep_convert_to_csg(Operator):
@@ -24,7 +23,7 @@ class OBJECT_OT_sweep_convert_to_csg(Operator):
         if not can_change(cls, context):
             return False
         ob = context.active_object
-        if objects.is_editable_sweep(ob) and objects.group_of(ob.data)[0] is TranslationalSweep:
+        if objects.is_editable_sweep(ob) and objects.group_of(ob.data)[0] is kinds.TranslationalSweep:
             return True
         cls.poll_message_set("Make a translational sweep the active object")
         return False

@@ -6,12 +6,14 @@ import bpy
 from bpy.props import EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError, parameters, require, spelled
+from ..sweep_addon.core.declared.names import spelled
+from ..sweep_addon.core.declared.refusals import ShapeError, require
 from ..sweep_addon.core.later import later
 from .on_active import OnSweep
 
 beside, drawn_curves = later("bridge.beside"), later("bridge.drawn_curves")
 objects, placing = later("bridge.objects"), later("bridge.placing")
+parameters = later("core.declared.parameters", "parameters")
 
 EDITABLE = {
     "trajectory": "The path along which the contour moves",

@@ -6,7 +6,7 @@ import bpy
 from bpy.props import IntProperty
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 
 axis_curves, drawn_curves = later("bridge.axis_curves"), later("bridge.drawn_curves")

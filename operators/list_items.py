@@ -5,13 +5,12 @@
 from bpy.props import IntProperty, StringProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import rna
-from ..sweep_addon.core.declared.parameters import ShapeError, parameters
-from ..sweep_addon.core.declared.wording import shown
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 from .on_active import OnSweep
 
-objects = later("bridge.objects")
+objects, rna = later("bridge.objects"), later("bridge.rna")
+parameters, shown = later("core.declared.parameters", "parameters"), later("core.declared.wording", "shown")
 
 
 class OBJECT_OT_sweep_item_add(OnSweep, Operator):

@@ -5,7 +5,7 @@
 from bpy.props import BoolProperty, FloatProperty, IntProperty
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 from .on_active import can_change
 

@@ -5,20 +5,15 @@
 from bpy.props import BoolProperty, EnumProperty
 from bpy.types import Operator
 
-from ..sweep_addon.bridge import rna
-from ..sweep_addon.core.declared.parameters import ShapeError, parameters, spelled
-from ..sweep_addon.core.declared.wording import summary
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.shapes.general_sweep import GeneralSweep
-from ..sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
-from ..sweep_addon.core.shapes.kinds import SWEPT
-from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
+from ..sweep_addon.properties.sweep import TABLE
 
-objects, placing = later("bridge.objects"), later("bridge.placing")
+kinds, objects, placing = later("core.shapes.kinds"), later("bridge.objects"), later("bridge.placing")
+parameters, summary = later("core.declared.parameters", "parameters"), later("core.declared.wording", "summary")
 
 PART = 20  # of the size of a mesh or a curve is the radius of its offset, to begin with
 TYPES = {"MESH", "CURVE", "FONT"}  # which have offsets
-OF_CURVES = tuple(shape for shape in SWEPT if {"trajectory", "contour"}.intersection(p.name for p in parameters(shape)))
 
 
 class OBJECT_OT_sweep_selected(Operator):
@@ -31,8 +26,8 @@ class OBJECT_OT_sweep_selected(Operator):
     shape: EnumProperty(
         name="Shape",
         description="What becomes of the selected objects",
-        items=rna.items_of(OF_CURVES),
-        default=spelled(GeneralizedCylinder, "_").upper(),
+        items=list(map(tuple, TABLE["along_curves"])),
+        default="GENERALIZED_CYLINDER",
     )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")
 
@@ -58,7 +53,7 @@ class OBJECT_OT_sweep_selected(Operator):
     def execute(self, context):
         shape = objects.SHAPE[self.shape]
         if meshes(inputs(context)):
-            shape = GeneralSweep  # what moves a mesh
+            shape = kinds.GeneralSweep  # what moves a mesh
         carrier = objects.carrier(shape)
         moved = {"contour", "generator"}.intersection(p.name for p in parameters(shape) if p.accepts)
         given = roles(context, self.swap, *moved) if carrier == "trajectory" and moved else {carrier: active(context)}
@@ -91,8 +86,8 @@ class OBJECT_OT_sweep_offset_selected(Operator):
         try:
             sides = (max(places) - min(places) for places in zip(*ob.bound_box, strict=True))
             size = max(sides)  # not scaled, as the offset is
-            shape = OffsetSurface(radius=(size or 1.0) / PART)
-            mesh = objects.new_mesh(shape, objects.title(OffsetSurface), body=ob)
+            shape = kinds.OffsetSurface(radius=(size or 1.0) / PART)
+            mesh = objects.new_mesh(shape, objects.title(kinds.OffsetSurface), body=ob)
         except ShapeError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

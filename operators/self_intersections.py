@@ -5,7 +5,7 @@
 import bpy
 from bpy.types import Operator
 
-from ..sweep_addon.core.declared.parameters import ShapeError
+from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 
 crossings, objects = later("bridge.crossings"), later("bridge.objects")

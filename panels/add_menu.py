@@ -8,15 +8,11 @@ from pathlib import Path
 from bpy.types import Menu
 
 from ..operators.add import idname
-from ..sweep_addon.core.declared.parameters import spelled
-from ..sweep_addon.core.declared.wording import title, titled
+from ..sweep_addon.core.declared.names import spelled, title, titled
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.shapes.kinds import CLASSIFICATION, SWEPT
-from ..sweep_addon.core.shapes.offset_surface import OffsetSurface
-from ..sweep_addon.core.shapes.plant import Plant
 from . import previews
 
-presets = later("presets")
+kinds, presets = later("core.shapes.kinds"), later("presets")
 
 FOLDER = Path(__file__).parents[1] / "sweep_addon" / "presets"  # what its folders hold is read when a menu is drawn
 GROUPS = sorted({path.name for path in FOLDER.iterdir() if path.is_dir()} - {"l_system", "__pycache__"})
@@ -32,10 +28,10 @@ class VIEW3D_MT_sweep_add(Menu):
         self.layout.operator_context = "INVOKE_REGION_WIN"
         row = self.layout.row()  # beside each other: one below the other they are higher than a small screen
         column = row.column(align=True)
-        for generator, shapes in CLASSIFICATION.items():
+        for generator, shapes in kinds.CLASSIFICATION.items():
             column.label(text=generator)
             for shape in shapes:
-                if shape is Plant:
+                if shape is kinds.Plant:
                     column.menu("VIEW3D_MT_sweep_l_system_add", icon_value=previews.icon(shape))
                 else:
                     column.operator(idname(shape), icon_value=previews.icon(shape))
@@ -72,7 +68,7 @@ class VIEW3D_MT_sweep_l_system_add(Menu):
 
     def draw(self, context):
         self.layout.operator_context = "INVOKE_REGION_WIN"
-        self.layout.operator(idname(Plant), icon_value=previews.icon(Plant))
+        self.layout.operator(idname(kinds.Plant), icon_value=previews.icon(kinds.Plant))
         self.layout.separator()
         for menu in GROWN_MENUS:
             self.layout.menu(menu.bl_idname)
@@ -117,8 +113,8 @@ class VIEW3D_MT_sweep_selected(Menu):
     bl_label = "Sweep Selected"
 
     def draw(self, context):
-        for shape in SWEPT:
-            if shape is OffsetSurface:
+        for shape in kinds.SWEPT:
+            if shape is kinds.OffsetSurface:
                 self.layout.operator("object.sweep_offset_selected", icon_value=previews.icon(shape))
                 continue
             name = spelled(shape, "_").upper()

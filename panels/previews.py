@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 
-from ..sweep_addon.core.declared.parameters import spelled
+from ..sweep_addon.core.declared.names import spelled
 
 FOLDER = Path(__file__).parent / "pictures"
 

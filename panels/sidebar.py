@@ -10,22 +10,18 @@ from ..operators.add import idname
 from ..operators.convert import is_tube
 from ..operators.edit_as_curve import EDITABLE
 from ..operators.self_intersections import OBJECT_OT_sweep_make_solid
-from ..sweep_addon.core.contours import Contour
-from ..sweep_addon.core.declared.options import MEETING, PREFIX
-from ..sweep_addon.core.declared.parameters import parameters, spelled
+from ..sweep_addon.core.declared.names import spelled
 from ..sweep_addon.core.later import later
-from ..sweep_addon.core.shapes.kinds import CLASSIFICATION
-from ..sweep_addon.core.shapes.machined_stock import MachinedStock
-from ..sweep_addon.core.shapes.plant import Plant
-from ..sweep_addon.core.shapes.translational_sweep import TranslationalSweep
 from . import previews
 
 axis_curves, declared_layout = later("bridge.axis_curves"), later("bridge.layout")
 live, objects = later("properties.live"), later("bridge.objects")
+contours, kinds, options = later("core.contours"), later("core.shapes.kinds"), later("core.declared.options")
+parameters = later("core.declared.parameters", "parameters")
 
 LOOKED_AT = 100  # selected objects, for another sweep among them: a draw takes no longer however many there are
 PREVIEW = 2.6  # times as high as a line
-COUNTED = {Plant: "segments", MachinedStock: "moves"}  # where a sweep has contours
+COUNTED = {"PLANT": "segments", "MACHINED_STOCK": "moves"}  # where a sweep has contours
 LINKED = "The mesh is linked from another file: make the mesh itself local, or a library override, to change it."
 
 
@@ -61,7 +57,7 @@ class VIEW3D_PT_sweep(Panel):
 def draw_shapes(layout):
     """What can be added, with a picture of each."""
     layout.operator_context = "INVOKE_REGION_WIN"
-    for generator, shapes in CLASSIFICATION.items():
+    for generator, shapes in kinds.CLASSIFICATION.items():
         layout.label(text=generator)
         for shape in shapes:
             row = layout.row()
@@ -83,7 +79,7 @@ def draw_sweep(layout, context, mesh, say):
 
     sweep = mesh.sweep
     shape, group = objects.group_of(mesh)
-    grown = shape is Plant
+    grown = shape is kinds.Plant
     if sweep.error and not (grown and l_system.problems(group)):  # which have places of their own
         say(layout, sweep.error, "ERROR", alert=True)
     draw_state(layout, mesh, say)
@@ -92,17 +88,19 @@ def draw_sweep(layout, context, mesh, say):
         l_system.draw_size(column, mesh, say)
         l_system.draw_text(layout, group, say)
         l_system.draw_constants(layout, group)
-    if shape is MachinedStock:
+    if shape is kinds.MachinedStock:
         written.draw_text(layout, group, "program", say)
     beside = l_system.followed(group) if grown else ()
-    declared = [p for p in parameters(shape) if p.group != MEETING and p.name not in beside]  # they stand elsewhere
+    declared = [
+        p for p in parameters(shape) if p.group != options.MEETING and p.name not in beside
+    ]  # they stand elsewhere
     draw_parameters(layout, context, mesh, declared, say)
     if hasattr(shape, "self_intersections"):
         draw_self_intersections(layout, sweep, say)
     if hasattr(group, "make_solid") or sweep.solid:
         draw_solid(layout, sweep, group, say)
     draw_editing(layout, group, declared)
-    if shape is TranslationalSweep:
+    if shape is kinds.TranslationalSweep:
         layout.operator("object.sweep_convert_to_csg")
     if hasattr(shape, "bend"):
         layout.operator("object.sweep_bend")
@@ -122,13 +120,13 @@ def draw_state(layout, mesh, say):
         say(layout, "The shape follows its parameters again when you leave Edit Mode.", "INFO")
     elif mesh.sweep.edited:
         say(layout, "The mesh was changed by hand: the next change replaces it. Apply to keep it.", "ERROR")
-    if objects.group_of(mesh)[0] is MachinedStock:
+    if objects.group_of(mesh)[0] is kinds.MachinedStock:
         from . import machining
 
         machining.draw_told(layout, mesh.sweep, say)
         return
     for sentence in mesh.sweep.told.split("\n"):
-        if sentence and not sentence.startswith(PREFIX):
+        if sentence and not sentence.startswith(options.PREFIX):
             say(layout, sentence, "INFO")
 
 
@@ -136,7 +134,7 @@ def draw_size(layout, sweep, mesh, shape):
     """The name of the shape, and how much its mesh is of; the column that says so."""
     column = layout.column(align=True)
     column.label(text=objects.title(shape), icon_value=previews.icon(shape))
-    counted = f"{sweep.rings:,} {COUNTED.get(shape, 'contours')}, " if sweep.rings else ""
+    counted = f"{sweep.rings:,} {COUNTED.get(sweep.kind, 'contours')}, " if sweep.rings else ""
     column.label(text=f"{counted}{len(mesh.polygons):,} faces", icon="BLANK1")
     return column
 
@@ -167,7 +165,7 @@ def draw_editing(layout, group, declared):
 
 def edits_body(group):
     """Whether the body of an offset is one of the contours, and so may become a curve, or an object to go to."""
-    return group.body in {"OBJECT", *(spelled(kind, "_").upper() for kind in get_args(Contour))}
+    return group.body in {"OBJECT", *(spelled(kind, "_").upper() for kind in get_args(contours.Contour))}
 
 
 def draw_self_intersections(layout, sweep, say):
@@ -176,10 +174,10 @@ def draw_self_intersections(layout, sweep, say):
     That is a moment after the last change, so this stands below the parameters: nothing moves under the mouse. The
     largest safe size waits for a click where it takes a search.
     """
-    found = [sentence for sentence in sweep.told.split("\n") if sentence.startswith(PREFIX)]
+    found = [sentence for sentence in sweep.told.split("\n") if sentence.startswith(options.PREFIX)]
     if sweep.looked_at == sweep.made:
         found = sweep.places.split("\n") if sweep.places else []
-    places = [sentence for sentence in found if sentence.startswith(PREFIX)]
+    places = [sentence for sentence in found if sentence.startswith(options.PREFIX)]
     for sentence in places[:1]:
         say(layout, sentence, "ERROR")
     if len(places) > 1:

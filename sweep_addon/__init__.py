@@ -13,28 +13,11 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 import sys
 from importlib.util import find_spec
 
-try:
-    import numpy  # noqa: F401, so that where it is missing one sentence says so
-except ModuleNotFoundError as missing:
+if not find_spec("numpy"):
     NEEDED = f"Sweep needs NumPy, which {sys.executable} has not: pip install numpy, in a virtual environment of it."
     if sys.argv[:1] == ["-m"]:  # python -m sweep_addon, which finds the package before it runs it
         sys.exit(NEEDED)
-    raise ModuleNotFoundError(NEEDED, name=missing.name) from None
-
-from .core import contours, machining, solids, trajectories
-from .core.declared.parameters import ShapeError
-from .core.rings import corners, ends, limits
-from .core.shapes.canal_surface import CanalSurface
-from .core.shapes.general_sweep import GeneralSweep
-from .core.shapes.generalized_cylinder import GeneralizedCylinder
-from .core.shapes.machined_stock import MachinedStock
-from .core.shapes.offset_surface import OffsetSurface
-from .core.shapes.pd_curve_sweep import PDCurveSweep
-from .core.shapes.plant import Plant
-from .core.shapes.rotational_sweep import RotationalSweep
-from .core.shapes.translational_sweep import TranslationalSweep
-from .core.stations import directions, frames, sampling
-from .core.variation import laws
+    raise ModuleNotFoundError(NEEDED, name="numpy")
 
 __all__ = [
     "CanalSurface",
@@ -85,35 +68,56 @@ __all__ = [
 if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
     __all__ += ["from_object", "to_object"]
 
-SPACES = (
-    "contours", "corners", "directions", "ends", "frames", "laws", "limits", "machining", "sampling", "solids",
-    "trajectories",
-)  # fmt: skip
-LATER = {
+# Loaded when they are asked for, as most scripts need few of them, and starting Blender none.
+SPACES = {
+    "contours": ".core.contours",
+    "corners": ".core.rings.corners",
+    "directions": ".core.stations.directions",
+    "ends": ".core.rings.ends",
+    "frames": ".core.stations.frames",
+    "laws": ".core.variation.laws",
+    "limits": ".core.rings.limits",
+    "machining": ".core.machining",
+    "presets": ".presets",
+    "sampling": ".core.stations.sampling",
+    "solids": ".core.solids",
+    "trajectories": ".core.trajectories",
+}
+NAMES = {
+    "CanalSurface": ".core.shapes.canal_surface",
     "Curves": ".core.shapes.plant",
     "Edges": ".core.shapes.plant",
+    "GeneralSweep": ".core.shapes.general_sweep",
+    "GeneralizedCylinder": ".core.shapes.generalized_cylinder",
     "GrammarError": ".core.grammars",
     "LSystem": ".core.grammars",
+    "MachinedStock": ".core.shapes.machined_stock",
     "Mesh": ".core.meshes.mesh",
+    "OffsetSurface": ".core.shapes.offset_surface",
     "PDCurve": ".core.stations.pd_curve",
+    "PDCurveSweep": ".core.shapes.pd_curve_sweep",
     "Placed": ".core.csg",
+    "Plant": ".core.shapes.plant",
     "RigidMotion": ".core.csg",
     "Rotation": ".core.csg",
+    "RotationalSweep": ".core.shapes.rotational_sweep",
+    "ShapeError": ".core.declared.refusals",
     "SweptContour": ".core.csg",
     "SweptSolid": ".core.csg",
     "Translation": ".core.csg",
+    "TranslationalSweep": ".core.shapes.translational_sweep",
     "Tree": ".core.csg",
     "Tubes": ".core.shapes.plant",
     "classify": ".core.membership",
-    "inverse_sweep": ".core.membership",
     "disassembly": ".core.removal",
     "dump": ".core.declared.forms",
-    "load": ".batch.job",
-    "to_object": ".bridge.objects",
     "from_object": ".bridge.objects",
+    "inverse_sweep": ".core.membership",
+    "load": ".batch.job",
     "reach": ".core.envelopes.reach",
     "removal_path": ".core.removal",
     "sweep_to_csg": ".core.conversion",
+    "to_object": ".bridge.objects",
 }
 
 
@@ -122,19 +126,18 @@ def __dir__():
 
 
 def __getattr__(name):
-    # Jobs, Blender and what takes long are loaded when they are asked for: most scripts need none.
     from importlib import import_module
 
+    if name in SPACES:
+        return import_module(SPACES[name], __package__)
     if name == "__version__":
         return import_module(".core.version", __package__).version()
-    if name == "presets":
-        return import_module(".presets", __package__)
-    if name not in LATER:
-        found = [f"{space}.{name}" for space in SPACES if name in dir(globals()[space])]
+    if name not in NAMES:
+        found = [f"{space}.{name}" for space in SPACES if name in dir(import_module(SPACES[space], __package__))]
         where = f": it is {' or '.join(found)}" if found else ""
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}{where}")
     try:
-        return getattr(import_module(LATER[name], __package__), name)
+        return getattr(import_module(NAMES[name], __package__), name)
     except ModuleNotFoundError as error:
         if error.name != "bpy":
             raise

@@ -4,9 +4,11 @@
 
 from functools import cache
 
+from ..core.declared.names import titled
 from ..core.declared.parameters import inside, parameters, spelled
-from ..core.declared.wording import titled
-from .rna import ASIDE, chosen_kinds, label, listed
+from ..core.declared.texts import ASIDE
+from .rna import chosen_kinds, listed
+from .table import label
 
 TYPED = 400  # characters of a list that can still be read and typed as text
 

@@ -54,7 +54,7 @@ def of_points(ob, points, tolerance=None):
     """Classify points of the world, (n, 3), against the sweep or the tree that an object shows."""
     matrix = np.array(ob.matrix_world, dtype=float)
     trees.require_extent(ob, matrix)
-    local = np.linalg.solve(matrix[:3, :3], (points - matrix[:3, 3]).T).T
+    local = np.linalg.solve(matrix[:3, :3], (np.array(points, dtype=float) - matrix[:3, 3]).T).T
     return classify(objects.from_object(ob), local, tolerance or RELATIVE * size(ob))
 
 

@@ -6,8 +6,8 @@ import bpy
 from mathutils import Matrix
 
 from ..core.contours import Mixed
+from ..core.declared.names import titled
 from ..core.declared.parameters import ShapeError, at, parameters, require, spelled
-from ..core.declared.wording import titled
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES, SWEPT
 from ..core.shapes.machined_stock import MachinedStock

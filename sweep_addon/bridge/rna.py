@@ -1,178 +1,22 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Declared parameters as Blender properties: define, read, assign.
-
-A union is an enum beside the flat, prefixed properties of all its kinds, `contour` and `contour_circle_radius`, so
-that operators, presets, scripts and keyframes reach each by a plain name. A list is JSON in one hidden string.
-"""
+"""Declared parameters as Blender properties, which `table` says: read and assign them."""
 
 import json
-import zlib
 from contextlib import contextmanager
 from dataclasses import replace
-from enum import Enum, EnumMeta
+from enum import EnumMeta
 from functools import cache, lru_cache
 
 import bpy
 import numpy as np
 
 from ..core.declared.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
-from ..core.declared.plain import plain
-from ..core.declared.texts import Grammar, Program, Values
-from ..core.declared.wording import summary, titled
+from ..core.declared.texts import ASIDE, TEXTS, Values
 from ..core.later import later
+from .table import stored
 
 texts = later("bridge.texts")
-
-UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
-WIDEST = (3.4028234663852886e38, 2**31 - 1)  # of a float32, and of an int32
-LOCAL = {"LIBRARY_OVERRIDABLE"}
-LIMITS = {"min", "max", "soft_min", "soft_max"}
-TEXTS = (Grammar, Program)  # a group has a text of the file for each, an operator hidden text
-ASIDE = (*TEXTS, Values)  # and sliders for these
-OBJECT = ("OBJECT", "Object", "An object of the scene", 0)
-SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
-
-
-def annotations(declared, pointers=False, update=None):
-    """The properties of some parameters; an operator can hold no pointers, and no lists of what may hold some."""
-    made = {}
-    for p in declared:
-        if p.item:
-            if pointers:
-                kept = told(p) | {"override": LOCAL | {"USE_INSERTION"}}
-                made[p.name] = bpy.props.CollectionProperty(type=item_group(p.item, update), **kept)
-        elif pointers and p.type in ASIDE:
-            made |= held_aside(p, update)
-        else:
-            made |= annotated((p,), "", update)
-            if pointers and p.accepts:
-                made |= by_object(p, update)
-    return made
-
-
-@cache
-def annotated(declared, start, update):
-    """The properties of parameters and of their kinds, whose names begin so; shared, for most are another shape's."""
-    made = {}
-    for p in declared:
-        made[start + p.name] = define(p, update)
-        for kind in p.kinds:
-            made |= annotated(inside(p, kind), f"{start}{p.name}_{spelled(kind, '_')}_", update)
-    return made
-
-
-def by_object(p, update):
-    """The choice of a parameter's kind with one more, an object of the scene, and that object."""
-    poll = only(p.accepts)
-    chosen = bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, update=update, **told(p))
-    return {p.name: define(p, update, OBJECT), f"{p.name}_object": chosen}
-
-
-VALUES = type(
-    "SWEEP_PG_values",
-    (bpy.types.PropertyGroup,),
-    {"__doc__": "Numbers whose names a text gives, each a property of the group that only it has"},
-)
-
-
-def held_aside(p, update):
-    """The properties of a text, which a text of the file holds too, or of the numbers in one."""
-    if p.type is Values:
-        return {p.name: bpy.props.PointerProperty(type=VALUES, **told(p))}
-    text = bpy.props.PointerProperty(type=bpy.types.Text, update=update, **told(p))
-    made = {p.name: define(p, update), f"{p.name}_text": text}
-    if p.type is Grammar:
-        made[f"{p.name}_understood"] = bpy.props.StringProperty(
-            options={"HIDDEN"}, name="Understood", description="The last text without a mistake"
-        )
-    return made
-
-
-def told(p):
-    """What people are told of a parameter's property."""
-    return {"name": label(p), "description": p.doc, "override": LOCAL}
-
-
-@cache
-def item_group(kind, update):
-    """The property group of what is in a list: to be registered before a group that has the list."""
-    made = annotations(parameters(kind), pointers=True, update=update)
-    name = f"SWEEP_PG_{spelled(kind, '_')}"
-    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": summary(kind)})
-
-
-@cache
-def define(p, update, *more):
-    """The property of one parameter, whatever its name is where it is used; of a choice with more items."""
-    default = stored(p, p.shown if p.default is None else p.default)
-    common = {"name": label(p), "description": p.doc, "default": default, "update": update, "override": LOCAL}
-    if p.type in ASIDE:
-        return bpy.props.StringProperty(options={"HIDDEN"}, **common)
-    if p.type is bool:
-        return bpy.props.BoolProperty(**common)
-    if p.type is str or p.is_list:
-        return bpy.props.StringProperty(options={"HIDDEN"} if p.is_list else {"ANIMATABLE"}, **common)
-    if p.type is float or p.type is int or isinstance(p.default, tuple):
-        return number(p, common)
-    return bpy.props.EnumProperty(items=[*items_of(p.kinds or p.type), *more], **common)
-
-
-def number(p, common):
-    """The property of a number, or of several.
-
-    A slider stops at the limits. What is set below a minimum becomes that, as Blender has it, also where a curve of
-    keyframes dips. What is set beyond another limit is not made to fit but refused as it is, in the value's own words.
-    """
-    whole = p.type is int
-    widest, above = WIDEST[whole], p.above
-    highest = p.maximum if p.soft_maximum is None else p.soft_maximum
-    common["min"], common["max"] = max(p.minimum, -widest), widest
-    if above > p.minimum:
-        common["soft_min"] = above + SMALLEST
-    if highest < widest:
-        common["soft_max"] = highest
-    if whole:
-        return bpy.props.IntProperty(**common | {key: int(common[key]) for key in LIMITS.intersection(common)})
-    common |= {"unit": UNITS[p.unit], "precision": 3, "step": 1 if p.unit == "length" else 10}
-    if p.type is float:
-        return bpy.props.FloatProperty(**common)
-    return bpy.props.FloatVectorProperty(size=len(p.default), subtype="XYZ", **common)
-
-
-@cache
-def items_of(choices):
-    """The items of some kinds, or of an Enum."""
-    return tuple(map(item, choices))
-
-
-def item(choice):
-    """An enum's item."""
-    name, doc = spelled(choice, "_"), choice.value if isinstance(choice, Enum) else summary(choice)
-    return name.upper(), titled(choice), doc, number_of(name)
-
-
-def number_of(name):
-    """The number of an item, which is saved in files; keyframes add a half to it in float32: 23 bits."""
-    return zlib.crc32(name.encode()) % 2**23
-
-
-def only(types):
-    return lambda group, ob: ob.type in types
-
-
-@cache
-def label(p):
-    return p.name.replace("_", " ").title()
-
-
-def stored(p, value):
-    """A value as its property holds it."""
-    if p.kinds:
-        return spelled(type(value), "_").upper()
-    if isinstance(p.type, EnumMeta):
-        return value.name
-    return json.dumps(plain(value)) if p.is_list or p.type is Values else value
 
 
 def meant(p, held):

@@ -9,8 +9,8 @@ import os
 from functools import cached_property, lru_cache
 from pathlib import Path
 
+from ..core.declared.names import title
 from ..core.declared.parameters import at, pick
-from ..core.declared.wording import title
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES
 

@@ -5,16 +5,18 @@
 Undo brings parameters and mesh back together, Shift-D copies both and Alt-D shares both.
 """
 
+from functools import cache
+
 import bpy
 
-from ..bridge import rna
-from ..core.declared.parameters import parameters, spelled
-from ..core.declared.plain import VERSION
-from ..core.declared.wording import summary
 from ..core.later import later
-from ..core.shapes.kinds import SHAPES
+from .kept import table
 
 rebuild = later("properties.live", "rebuild")
+
+TABLE = table()
+GROUPS = {}  # by their names, as the table has them
+LOCAL = {"LIBRARY_OVERRIDABLE"}
 
 
 def update(group, context):
@@ -24,15 +26,36 @@ def update(group, context):
         rebuild(mesh)
 
 
-def shape_group(shape):
-    """The property group of one shape."""
-    name = spelled(shape, "_")
-    made = rna.annotations(parameters(shape), pointers=True, update=update)
-    return type(f"SWEEP_PG_{name}", (bpy.types.PropertyGroup,), {"__annotations__": made, "__doc__": summary(shape)})
+def annotations(numbers):
+    """The properties of a group or an operator, from their numbers in the table."""
+    return {name: annotated(number) for name, number in numbers.items()}
 
 
-GROUPS = {spelled(shape, "_"): shape_group(shape) for shape in SHAPES}
-ITEMS = {rna.item_group(p.item, update) for shape in SHAPES for p in parameters(shape) if p.item}
+@cache
+def annotated(number):
+    """One of the table's properties, with what of Blender it stands for: its maker, its type, its functions."""
+    maker, told = TABLE["properties"][number]
+    told = told | {name: set(told[name]) for name in ("options", "override") if name in told}
+    if "items" in told:
+        told["items"] = list(map(tuple, told["items"]))
+    if "poll" in told:
+        told["poll"] = only(told["poll"])
+    if "type" in told:
+        told["type"] = GROUPS.get(told["type"]) or getattr(bpy.types, told["type"])
+    return getattr(bpy.props, maker)(**told | {"update": update} if "update" in told else told)
+
+
+def only(types):
+    return lambda group, ob: ob.type in types
+
+
+for group in TABLE["groups"]:
+    members = {"__annotations__": annotations(group["properties"]), "__doc__": group["doc"]}
+    GROUPS[group["name"]] = type(group["name"], (bpy.types.PropertyGroup,), members)
+
+
+def of_shape(shape):
+    return bpy.props.PointerProperty(type=GROUPS[f"SWEEP_PG_{shape['name']}"], override=LOCAL)
 
 
 def hidden(maker, **keywords):
@@ -44,16 +67,16 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     """The shape that a mesh is made from, and how the last making went"""
 
     __annotations__ = {
-        **{name: bpy.props.PointerProperty(type=group, override=rna.LOCAL) for name, group in GROUPS.items()},
+        **{shape["name"]: of_shape(shape) for shape in TABLE["shapes"]},
         "kind": bpy.props.EnumProperty(
-            items=[("NONE", "None", "An ordinary mesh", 0), *rna.items_of(SHAPES)],
+            items=[("NONE", "None", "An ordinary mesh", 0), *map(tuple, TABLE["kinds"])],
             options=set(),  # not animated: a mesh that is a sweep in some frames only could not say what it is
             update=update,
             name="Shape",
             description="The shape that the mesh is made from",
         ),
         "paused": hidden(bpy.props.BoolProperty, update=update, description="Whether changes wait to be built"),
-        "version": hidden(bpy.props.IntProperty, default=VERSION, description="Version of these parameters"),
+        "version": hidden(bpy.props.IntProperty, default=TABLE["version"], description="Version of these parameters"),
         "made": hidden(bpy.props.StringProperty, description="What the mesh was last made from"),
         "topology": hidden(bpy.props.StringProperty, description="Which faces were last written"),
         "texture": hidden(bpy.props.StringProperty, description="Which texture coordinates were last written"),
@@ -68,13 +91,13 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     }
 
 
-CLASSES = (rna.VALUES, *ITEMS, *GROUPS.values(), SWEEP_PG_sweep)
+CLASSES = (*GROUPS.values(), SWEEP_PG_sweep)
 
 
 def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.Mesh.sweep = bpy.props.PointerProperty(type=SWEEP_PG_sweep, override=rna.LOCAL)
+    bpy.types.Mesh.sweep = bpy.props.PointerProperty(type=SWEEP_PG_sweep, override=LOCAL)
 
 
 def unregister():

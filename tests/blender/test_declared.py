@@ -18,6 +18,7 @@ import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge import rna
 from sweep_addon.core.declared.parameters import Array, ShapeError, inside, parameters, spelled
+from sweep_addon.core.declared.texts import ASIDE
 from sweep_addon.core.shapes.kinds import SHAPES
 
 
@@ -74,7 +75,7 @@ def test_numbers_have_unit_limits_and_default_of_the_declaration(shape):
 def test_lists_are_hidden_text_and_everything_else_can_be_keyed(shape):
     for known in groups(shape):
         for name, p in properties(shape).items():
-            aside = p.type in rna.ASIDE  # a text, and the values of its constants
+            aside = p.type in ASIDE  # a text, and the values of its constants
             assert known[name].is_hidden == p.is_list or aside
             assert known[name].is_animatable or p.is_list or aside
 

@@ -16,9 +16,9 @@ from scenes import add, cube, curve, parameters_of, select, square, straight, sw
 import sweep_addon as sw
 from sweep_addon import presets
 from sweep_addon.bridge import objects
-from sweep_addon.bridge.rna import ASIDE
 from sweep_addon.core.declared.options import MEETING
 from sweep_addon.core.declared.parameters import inside, parameters, spelled
+from sweep_addon.core.declared.texts import ASIDE
 from sweep_addon.core.shapes.kinds import SHAPES
 from sweep_addon.properties.live import rebuild
 
@@ -223,7 +223,7 @@ def test_last_operation_shows_every_parameter(scene):
     layout, operator = Layout(), bpy.types.MESH_OT_generalized_cylinder_add
     asked = SimpleNamespace(**{**values, "layout": layout, "shape": operator.shape, "bl_rna": known})
     operator.draw(asked, bpy.context)
-    lists = {p.group for p in parameters(operator.shape) if p.item}
+    lists = {p.group for p in parameters(sw.GeneralizedCylinder) if p.item}
     for p in parameters(operator.shape):
         assert layout.drawn.count(p.name) == (0 if p.group in lists else 1)
     assert {"location", "rotation", "contour_circle_radius"} <= set(layout.drawn)

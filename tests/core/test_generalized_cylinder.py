@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from solids import CENTRELINES, GLYPHS, KNOTS, assert_solid, box, ngon
 
 from sweep_addon.core.contours import Circle, Contour, Fit, Outline, Rectangle, ScrewThread
+from sweep_addon.core.declared.names import spelled
 from sweep_addon.core.declared.parameters import ShapeError
-from sweep_addon.core.declared.wording import spelled
 from sweep_addon.core.formulas.expressions import compile
 from sweep_addon.core.rings.ends import Flat, Open, Taper
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Declaring shapes imports nothing that only makes meshes: whoever starts Blender with the extension waits for it."""
+"""Registering imports no shapes, and declaring shapes nothing that only makes meshes: people wait for it."""
 
 import ast
 import subprocess
@@ -17,7 +17,7 @@ from sweep_addon.core.shapes.kinds import SHAPES
 from sweep_addon.core.variation.laws import Constant, Formula
 
 LIBRARY = Path(__file__).resolve().parents[2] / "sweep_addon"
-# Modules of the core that enabling the extension may not import. What shapes are declared of has no need of them.
+# Modules of the core of which what shapes are declared of has no need: whoever first adds one waits for the others.
 WAITING = """
     variation.along stations.bending rings.bevels rings.body meshes.boundary rings.caps stations.cells
     variation.changing grids.chart stations.chebyshev rings.closing meshes.components declared.description
@@ -86,20 +86,34 @@ def test_what_is_imported_later_is_there():
 
 
 def registering():
-    """What operators, panels and properties import of the bridge when Blender starts: a file, and a module."""
-    files = (file for part in ("operators", "panels") for file in LIBRARY.parent.glob(f"{part}/*.py"))
-    for file in (*files, LIBRARY / "properties/handlers.py", LIBRARY / "properties/sweep.py"):
+    """What operators, panels and properties import of the library when Blender starts: a file, and a module."""
+    files = [file for part in ("operators", "panels") for file in LIBRARY.parent.glob(f"{part}/*.py")]
+    for file in (*files, *(LIBRARY / f"properties/{name}.py" for name in ("handlers", "kept", "sweep"))):
         for node in ast.parse(file.read_text(encoding="utf-8")).body:
             path = (getattr(node, "module", None) or "").split(".")
-            if "bridge" in path:
-                names = path[1 + path.index("bridge") :] or [alias.name for alias in node.names]
-                yield from ((file.name, name) for name in names)
+            if not AT_ONCE.isdisjoint(path):
+                yield file.stem, ".".join(path[path.index("sweep_addon") + 1 :] if "sweep_addon" in path else path)
 
 
-def test_registering_imports_of_the_bridge_what_declares_properties_alone():
-    found = list(registering())
-    assert ("sweep.py", "rna") in found
-    assert [(file, name) for file, name in found if name != "rna"] == []
+AT_ONCE = {"bridge", "core"}
+LIGHT = {"core.later", "core.declared.names", "core.declared.refusals"}
+LOADED_LATER = {"csg_tree", "frame_lines", "l_system", "machining", "written"}  # panels, when they are drawn
+
+
+def test_registering_imports_names_and_refusals_alone():
+    """All else follows from the table of `properties.kept`, and is imported when it is used."""
+    found = [(file, module) for file, module in registering() if file not in LOADED_LATER]
+    assert len(found) > 20 and LIGHT == {module for _, module in found}
+
+
+def test_these_import_no_numpy_and_no_shape():
+    imports = "; ".join(f"import sweep_addon.{module}" for module in sorted(LIGHT))
+    script = (
+        f"import sys; {imports}; print(*(name for name in sys.modules if name.startswith(('numpy', 'sweep_addon'))))"
+    )
+    told = subprocess.run([sys.executable, "-c", script], cwd=LIBRARY.parent, capture_output=True, text=True)
+    packages = {"sweep_addon", "sweep_addon.core", "sweep_addon.core.declared"}
+    assert set(told.stdout.split()) == packages | {f"sweep_addon.{module}" for module in LIGHT}, told.stderr
 
 
 def test_what_stands_for_a_class_knows_its_objects():

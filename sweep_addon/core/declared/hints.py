@@ -7,9 +7,10 @@ from numbers import Real
 
 import numpy as np
 
+from .names import spelled
 from .parameters import Array, parameters, rows
 from .refusals import ShapeError
-from .wording import named, shown, spelled
+from .wording import named, shown
 
 MANY = 40  # names that a refusal tells
 FEW = 3  # kinds of which a number says one; of more, as of trajectories, it may be any of many

@@ -19,8 +19,9 @@ from typing import dataclass_transform, get_args, get_origin
 import numpy as np
 
 from .frozen import altered, bound, by_value, individual, unchanging
+from .names import spelled
 from .refusals import MOST, ShapeError, at, require, together
-from .wording import MEASURES, Documented, item_of, longest, named, shown, spelled
+from .wording import MEASURES, Documented, item_of, longest, named, shown
 
 LARGEST = 1e12  # of any number: far beyond any use, and far from where squares and products overflow
 

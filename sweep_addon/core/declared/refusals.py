@@ -4,7 +4,9 @@
 
 from contextlib import contextmanager
 
-from .wording import shown
+from ..later import later
+
+shown = later("core.declared.wording", "shown")
 
 MOST = 20  # mistakes of one kind that are told at once
 FLATTEST = 1e-6  # single precision, which Blender keeps, tells the two sides of a figure as flat just apart

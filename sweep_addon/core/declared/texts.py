@@ -90,3 +90,7 @@ class Values(Mapping):
 
     def __repr__(self):
         return repr(dict(sorted(self.held.items())))
+
+
+TEXTS = (Grammar, Program)
+ASIDE = (*TEXTS, Values)  # which a group of Blender holds otherwise than an operator

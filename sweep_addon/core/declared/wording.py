@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wording: how people read the names, values and limits of parameters, in refusals, tables and docstrings."""
+"""Wording: how people read values and limits of parameters, in refusals, tables and docstrings."""
 
 import re
 from dataclasses import fields, is_dataclass
 from enum import Enum, EnumMeta
-from functools import cache, partial
+from functools import partial
 from math import floor, inf, isfinite, log10
 from types import GenericAlias, UnionType
 from typing import get_args, get_origin
@@ -13,13 +13,12 @@ from typing import get_args, get_origin
 import numpy as np
 
 from .frozen import WhenAsked
+from .names import spelled
 
 MEASURES = {None: "a number", "length": "a number of metres", "angle": "a number of radians"}
 UNITS = {"length": "in metres", "angle": "in radians"}
 LIMITS = {"above": -inf, "minimum": -inf, "maximum": inf}
 REFUSED = "ShapeError\n    For any other value."
-WORDS = re.compile(r"\B(?=[A-Z][a-z])")  # where a word of a class's name begins
-SMALL = {"A", "And", "By", "In", "Of", "On", "The", "To", "With"}  # words that titles do not begin or end with
 LONGEST = 40  # characters of a default in a docstring; of a longer one only how it starts
 
 
@@ -53,31 +52,6 @@ def near(u, start, end):
 def named(key):
     """A key as a refusal names it: itself where it is a name that fits, or else as a value."""
     return key if isinstance(key, str) and re.fullmatch(r"[\w-]{1,60}", key) else shown(key)
-
-
-@cache
-def spelled(kind, joint="-"):
-    """The name of a class (FixedUp) or of an Enum's member (FIXED_UP) as jobs (fixed-up) or identifiers have it."""
-    if isinstance(kind, Enum):
-        return kind.name.lower().replace("_", joint)
-    return WORDS.sub(joint, kind.__name__).lower()
-
-
-def titled(kind):
-    """The name of a class (PDCurveSweep) or of an Enum's member as people read it (PD Curve Sweep)."""
-    if isinstance(kind, Enum):
-        return spelled(kind, " ").title()
-    return getattr(kind, "TITLE", None) or WORDS.sub(" ", kind.__name__)
-
-
-def title(name):
-    """The name of a file or a folder as people read it.
-
-    >>> title("tree_of_the_plain"), title("csg_on")
-    ('Tree of the Plain', 'CSG On')
-    """
-    first, *words = name.replace("_", " ").title().replace("Csg", "CSG").split(" ")
-    return " ".join((first, *(word.lower() if word in SMALL else word for word in words[:-1]), *words[-1:]))
 
 
 def longest(most, columns, items=False):

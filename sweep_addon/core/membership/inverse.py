@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..declared.frozen import individual
+from ..declared.names import titled
 from ..declared.parameters import require
-from ..declared.wording import titled
 from ..shapes.operand import Operand
 from ..shapes.translational_sweep import TranslationalSweep
 from .classify import RELATIVE, rows_of_three

@@ -10,8 +10,8 @@ from .. import solids
 from ..contours import Circle, Contour, Outline, Rectangle
 from ..contours.region import Region
 from ..csg import Placed, SweptContour, SweptSolid, Tree
+from ..declared.names import titled
 from ..declared.parameters import at, require, spelled
-from ..declared.wording import titled
 from ..offsets.in_the_plane import require_closed
 from ..rings.ends import Flat
 from ..shapes.canal_surface import BallEnd, CanalSurface

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of what is registered, kept beside Python's own compiled files, and made anew when its sources change.
+
+Whoever starts Blender waits for it: to import the shapes, of which all of it follows, takes longer than all the rest.
+"""
+
+import json
+import os
+import sys
+from contextlib import suppress
+from importlib.util import cache_from_source
+from pathlib import Path
+
+from ..core.later import later
+
+made = later("bridge.table", "table")
+
+LIBRARY = Path(__file__).parents[1]
+FILE = Path(cache_from_source(__file__)).with_suffix(".json")
+
+
+def table():
+    """The table of `bridge.table`, read where that is quicker."""
+    kept = read()
+    if kept is None:
+        kept = made()
+        keep(kept)
+    return kept
+
+
+def read():
+    """What is kept, or None where there is nothing, or where a source of it is another now."""
+    try:
+        with open(FILE, encoding="utf-8") as file:
+            held = json.load(file)
+        return held["table"] if held["sources"] == stamps(held["sources"]) else None
+    except (OSError, ValueError, TypeError, KeyError):  # whatever became of the file, it can be made again
+        return None
+
+
+def keep(table):
+    """Write it for the next time, as Python does with what it compiles; a place that cannot be written is left."""
+    if sys.dont_write_bytecode:
+        return
+    part = FILE.with_suffix(f".{os.getpid()}")
+    try:
+        FILE.parent.mkdir(parents=True, exist_ok=True)
+        part.write_text(json.dumps({"sources": stamps(sources()), "table": table}), encoding="utf-8")
+        os.replace(part, FILE)
+    except OSError:
+        with suppress(OSError):
+            part.unlink()
+
+
+def sources():
+    """The files that the table was made from: of all modules of the core, those that are imported by now."""
+    package = __package__.rpartition(".")[0]
+    parts = (f"{package}.core", f"{package}.bridge.table")
+    return [os.path.relpath(module.__file__, LIBRARY) for name, module in sys.modules.items() if name.startswith(parts)]
+
+
+def stamps(files):
+    """When each file was changed, in nanoseconds, and its size: by these Python knows its compiled files too."""
+    return {file: [stat.st_mtime_ns, stat.st_size] for file in files for stat in [os.stat(LIBRARY / file)]}

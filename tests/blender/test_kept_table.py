@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 Sweep contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Blender registers is read from a file, which is made anew when what it was made from changes."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
+
+from sweep_addon.bridge.table import table
+from sweep_addon.properties import kept
+
+REGISTERED = """
+import sys, bpy
+before = set(sys.modules)
+import sweep_addon.properties as properties
+properties.register()
+imported = {name for name in set(sys.modules) - before if name.startswith(("sweep_addon", "numpy"))}
+group = bpy.types.Mesh.bl_rna.properties["sweep"].fixed_type.properties["generalized_cylinder"].fixed_type
+print("told:", len(imported), "sweep_addon.core.shapes.kinds" in imported, "numpy" in imported)
+print("told:", group.properties["contour_circle_radius"].description)
+properties.unregister()
+"""
+
+
+@pytest.fixture
+def file(tmp_path, monkeypatch):
+    """Where the table is kept, in a folder that is not there yet."""
+    monkeypatch.setattr(kept, "FILE", tmp_path / "new" / "table.json")
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    return kept.FILE
+
+
+def test_the_table_is_read_as_it_was_made(file):
+    assert kept.read() is None
+    made = kept.table()
+    assert made == table() == kept.read()
+    assert [path.name for path in file.parent.iterdir()] == [file.name]
+
+
+def test_what_it_was_made_from_are_the_declarations(file):
+    kept.table()
+    sources = json.loads(file.read_text(encoding="utf-8"))["sources"]
+    expected = {"bridge/table.py", "core/shapes/kinds.py", "core/contours/ovals.py", "core/variation/laws.py"}
+    assert expected <= {Path(source).as_posix() for source in sources}
+
+
+@pytest.mark.parametrize("change", [{"size": 1}, {"time": 1}, {"name": "core/gone.py"}], ids=str)
+def test_one_of_other_sources_is_not_read(file, change):
+    kept.table()
+    held = json.loads(file.read_text(encoding="utf-8"))
+    source = next(name for name in held["sources"] if name.endswith("laws.py"))
+    time, size = held["sources"].pop(source)
+    held["sources"][change.get("name", source)] = [time + change.get("time", 0), size + change.get("size", 0)]
+    file.write_text(json.dumps(held), encoding="utf-8")
+    assert kept.read() is None
+    assert kept.table() == table() == kept.read()
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"sources": {}}', '{"sources": [1], "table": {}}', "\0", "1"])
+def test_one_that_was_spoilt_is_made_anew(file, text):
+    file.parent.mkdir()
+    file.write_text(text, encoding="utf-8")
+    assert kept.read() is None
+    assert kept.table() == table() == kept.read()
+
+
+def test_a_place_that_cannot_be_written_is_left(file):
+    file.parent.write_text("a file where the folder would be", encoding="utf-8")
+    assert kept.table() == table()
+    assert kept.read() is None
+
+
+def test_nothing_is_written_where_python_is_to_write_nothing(file, monkeypatch):
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    assert kept.table() == table()
+    assert not file.parent.exists()
+
+
+def registered(folder):
+    """What a Blender just started tells of registering a library: what it imported for it, and what that says."""
+    variables = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    if bpy.app.binary_path:
+        command = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python-expr"]
+        command.append(f"import sys; sys.path.insert(0, {str(folder)!r}); {REGISTERED}")
+    else:
+        command = [sys.executable, "-c", REGISTERED]
+    done = subprocess.run(command, cwd=folder, env=variables, capture_output=True, text=True, timeout=120)
+    told = [line.removeprefix("told: ") for line in done.stdout.splitlines() if line.startswith("told: ")]
+    assert len(told) == 2, done.stderr
+    return told
+
+
+def test_starting_again_imports_no_shapes_until_one_of_them_changes(tmp_path):
+    ignore = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(Path(kept.__file__).parents[1], tmp_path / "sweep_addon", ignore=ignore)
+    first, words = registered(tmp_path)
+    assert "True" in first
+    count, *others = registered(tmp_path)[0].split()
+    assert int(count) < 15 and others == ["False", "False"]
+    source = tmp_path / "sweep_addon/core/contours/ovals.py"
+    text = source.read_text(encoding="utf-8")
+    assert words in text
+    source.write_text(text.replace(words, "How far round it is from the middle"), encoding="utf-8")
+    assert registered(tmp_path)[1] == "How far round it is from the middle"
