@@ -62,4 +62,4 @@ def sources():
 
 def stamps(files):
     """When each file was changed, in nanoseconds, and its size: by these Python knows its compiled files too."""
-    return {file: [stat.st_mtime_ns, stat.st_size] for file in files for stat in [os.stat(LIBRARY / file)]}
+    return {file: [found.st_mtime_ns, found.st_size] for file in files for found in [os.stat(f"{LIBRARY}/{file}")]}

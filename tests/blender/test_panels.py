@@ -224,7 +224,7 @@ def test_last_operation_shows_every_parameter(scene):
     asked = SimpleNamespace(**{**values, "layout": layout, "shape": operator.shape, "bl_rna": known})
     operator.draw(asked, bpy.context)
     lists = {p.group for p in parameters(sw.GeneralizedCylinder) if p.item}
-    for p in parameters(operator.shape):
+    for p in parameters(sw.GeneralizedCylinder):
         assert layout.drawn.count(p.name) == (0 if p.group in lists else 1)
     assert {"location", "rotation", "contour_circle_radius"} <= set(layout.drawn)
 
