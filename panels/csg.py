@@ -7,7 +7,7 @@ from bpy.types import Panel
 from ..operators.combine import OPERATORS
 from ..sweep_addon.core.later import later
 
-trees = later("bridge.trees")
+recognizing = later("bridge.recognizing")
 
 LOOKED_AT = 100  # selected objects, for a second mesh among them: a draw takes no longer however many there are
 ICONS = {"UNION": "SELECT_EXTEND", "INTERSECT": "SELECT_INTERSECT", "DIFFERENCE": "SELECT_SUBTRACT"}
@@ -24,7 +24,7 @@ class VIEW3D_PT_sweep_csg(Panel):
     @classmethod
     def poll(cls, context):
         ob = context.active_object
-        return context.mode == "OBJECT" and (trees.is_tree(ob) or can_combine(context) or bool(result_of(ob)))
+        return context.mode == "OBJECT" and (recognizing.is_tree(ob) or can_combine(context) or bool(result_of(ob)))
 
     def draw(self, context):
         layout, ob = self.layout, context.active_object
@@ -33,7 +33,7 @@ class VIEW3D_PT_sweep_csg(Panel):
             for operator in OPERATORS:
                 row.operator(operator.bl_idname)
             layout.operator("object.sweep_find_removal_path")
-        if trees.is_tree(ob):
+        if recognizing.is_tree(ob):
             from .csg_tree import draw_tree  # most scenes have none
 
             draw_tree(layout, context, ob)
@@ -56,9 +56,9 @@ def can_combine(context):
 def result_of(ob):
     """The tree that an object moves with and is an operand of, or None."""
     parent = ob.parent if ob else None
-    return parent if parent and ob in trees.operands(parent) else None
+    return parent if parent and ob in recognizing.operands(parent) else None
 
 
 def step_of(ob):
     """The modifier of such an operand."""
-    return next(modifier for modifier in trees.booleans(ob.parent) if trees.operand_of(modifier) == ob)
+    return next(modifier for modifier in recognizing.booleans(ob.parent) if recognizing.operand_of(modifier) == ob)

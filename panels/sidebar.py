@@ -15,7 +15,7 @@ from ..sweep_addon.core.later import later
 from . import previews
 
 axis_curves, declared_layout = later("bridge.axis_curves"), later("bridge.layout")
-live, objects = later("properties.live"), later("bridge.objects")
+live, objects, recognizing = later("properties.live"), later("bridge.objects"), later("bridge.recognizing")
 contours, kinds, options = later("core.contours"), later("core.shapes.kinds"), later("core.declared.options")
 parameters = later("core.declared.parameters", "parameters")
 
@@ -42,7 +42,7 @@ class VIEW3D_PT_sweep(Panel):
         row.operator("object.sweep_selected")
         row.menu("VIEW3D_MT_sweep_selected", text="", icon="DOWNARROW_HLT")
         say = sentences(context)
-        if not objects.is_sweep(ob):
+        if not recognizing.is_sweep(ob):
             say(layout, hint(context), "INFO")
             if is_tube(ob):
                 layout.operator("object.sweep_convert")
@@ -206,4 +206,4 @@ def draw_solid(layout, sweep, group, say):
 
 def is_like(other, mesh):
     """Whether an object is another sweep of the same shape, so that Blender changes both where Alt is held."""
-    return objects.is_sweep(other) and other.data != mesh and other.data.sweep.kind == mesh.sweep.kind
+    return recognizing.is_sweep(other) and other.data != mesh and other.data.sweep.kind == mesh.sweep.kind

@@ -17,6 +17,7 @@ from ..core.shapes.plant import Plant
 from ..core.stations.sampling import rendered
 from . import meshes, rna
 from .placing import attach
+from .recognizing import is_sweep
 
 arcs, beside, curves, models = (later(f"bridge.{name}") for name in ("arcs", "beside", "curves", "models"))
 axis_curves, grove, trees = later("bridge.axis_curves"), later("bridge.grove"), later("bridge.trees")
@@ -165,12 +166,6 @@ def values(ob):
 def is_made(ob):
     """Whether an object says how its mesh is made: by parameters, or by set operations."""
     return is_sweep(ob) or ob is not None and ob.type == "MESH" and trees.is_tree(ob)
-
-
-def is_sweep(ob):
-    """Whether an object's mesh is made from parameters."""
-    sweep = getattr(ob.data, "sweep", None) if ob is not None and ob.type == "MESH" else None
-    return sweep is not None and sweep.kind != "NONE"  # None too where the extension is not enabled
 
 
 def is_swept(ob):

@@ -15,27 +15,13 @@ from ..core.shapes.general_sweep import GeneralSweep
 from ..core.solids import Triangles
 from ..core.variation.laws import Constant
 from . import models, objects
+from .recognizing import booleans, is_tree, operand_of, operands
 from .sharp_edges import is_drawer
 
 OPERATIONS = {"UNION": "union", "INTERSECT": "intersection", "DIFFERENCE": "difference"}
 ROUNDING = 1e-6  # of matrices, which Blender keeps in single precision
 SHAPELESS = {"scale_x": Constant(1.0), "scale_y": Constant(1.0), "scale_z": Constant(1.0)}
 SHAPELESS |= {"deform_x": "x", "deform_y": "y", "deform_z": "z"}  # what a motion is that leaves the shape alone
-
-
-def booleans(ob):
-    """The Boolean modifiers of an object, muted ones and those without an operand among them."""
-    return [modifier for modifier in getattr(ob, "modifiers", ()) if modifier.type == "BOOLEAN"]
-
-
-def is_tree(ob):
-    """Whether an object is the result of set operations."""
-    return any(modifier.type == "BOOLEAN" for modifier in getattr(ob, "modifiers", ()))
-
-
-def operand_of(modifier):
-    """The object that a Boolean modifier takes; None for a collection, and where it was deleted."""
-    return modifier.object if modifier.operand_type == "OBJECT" else None
 
 
 def is_lost(modifier):
@@ -64,11 +50,6 @@ def others(ob):
 def steps(ob):
     """The Boolean modifiers of an object that do something: neither muted nor without an operand."""
     return [modifier for modifier in booleans(ob) if modifier.show_viewport and operand_of(modifier)]
-
-
-def operands(ob):
-    """The objects that an object's Boolean modifiers name, each once."""
-    return list(dict.fromkeys(filter(None, map(operand_of, booleans(ob)))))
 
 
 def made_from(ob):
