@@ -10,7 +10,7 @@ have such corners, seen in pictures, are named.
 import json
 import re
 from dataclasses import replace
-from math import atan
+from math import atan, tan
 
 import numpy as np
 import pytest
@@ -172,6 +172,22 @@ def test_loops_of_different_slopes_meet():
     mesh = TranslationalSweep(Outline(RING), 1 / 3, tapers=(atan(1.0), atan(2.0))).mesh()
     assert_solid(mesh, 0)
     assert mesh.volume() == pytest.approx(by_parts((1 / 3, [16 - 4, -16 - 16, 4 - 16])), rel=1e-9)
+
+
+def test_a_drawing_of_twelve_petals_is_drafted_in_twelve_ways_alike():
+    """Its petals are holes that do not move. One of them is closed in the file by an edge of a thousandth of a unit
+    that leads backward, which would be a wall in the way of the outside for ever."""
+    pytest.importorskip("svgelements")
+    flower = sw.contours.from_svg(DATA / "svg" / "flower1.svg")
+    height = 4 / tan(1.5)
+    loops = [loop for (loop,) in TranslationalSweep(flower, height, taper=1.5).frames().contours]
+    x, y = zip(*(loop[:, :2].T for loop in loops if loop[0, 2] == height), strict=True)
+    areas = [(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 for x, y in zip(x, y, strict=True)]
+    assert len(areas) == 12 and np.ptp(areas) < 0.02 * np.mean(areas)
+    angles = np.sort([np.arctan2(y.mean(), x.mean()) for x, y in zip(x, y, strict=True)])
+    assert np.abs(np.diff(angles) - np.pi / 6).max() < 0.05  # of means of corners
+    with pytest.raises(ShapeError, match="^taper: must be at most .* nothing is left"):
+        TranslationalSweep(flower, 5 / tan(1.5), taper=1.5).mesh()
 
 
 def test_edges_of_different_slopes_that_meet_in_line_are_refused():

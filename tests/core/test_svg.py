@@ -69,6 +69,17 @@ def test_the_drawing_keeps_its_units_and_turns_y_up():
     assert sorted(map(tuple, points.round(6).tolist())) == [(5, -10), (7, -11), (7, -10)]
 
 
+def test_a_path_whose_numbers_miss_its_start_by_rounding_has_no_edge_back_to_it():
+    square = svg('<path d="M0 0h16v16h-16l.001-16.001z"/>')
+    assert len(from_svg(square).section().points) == 4
+    assert from_svg(square).section().sharp.all()
+
+
+def test_a_short_edge_that_closes_a_small_path_of_a_large_drawing_is_one():
+    text = svg('<path d="M0 0h1000v1000h-1000z"/><path d="M2000 0h.5v.5l-.4-.1l-.09-.3z"/>')
+    assert [len(loop) for loop in from_svg(text).loops] == [4, 5]
+
+
 def test_percentages_are_of_the_drawings_own_size():
     assert from_svg(svg('<rect width="100%" height="50%"/>', 'viewBox="0 0 10 10"')).section().area == pytest.approx(50)
 

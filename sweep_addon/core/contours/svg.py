@@ -14,6 +14,7 @@ from .flatten import cubics_from_lines, cubics_from_quadratics
 from .reading import argument, library, outline
 from .svg_document import LARGEST, tree
 
+ROUNDED = 1.25e-4, 1e-3  # of a drawing and of a path: gaps that three decimals leave in one of 16 units, and at most
 ARC = np.pi / 6  # the part of an ellipse for one cubic, which misses it by 4e-7 of its radius
 
 
@@ -44,7 +45,8 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
 
     Paths, rectangles, circles, ellipses, polygons and what uses them are united, each filled by its own rule and with
     its transforms. Strokes, texts, pictures, clipping and masks are left out. Overlaps are resolved to single
-    precision; areas that touch in a point are drawn apart there by a few millionths of the size.
+    precision; areas that touch in a point are drawn apart there by a few millionths of the size. Paths whose numbers miss
+    their start by no more than rounding are led back to it.
 
     Examples
     --------
@@ -57,7 +59,8 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
     with about(subject):
         with np.errstate(all="ignore"):
             figures = drawn_figures(*tree(data))
-        paths = [scale * path * (1, -1) for paths, _ in figures for path in paths]
+            paths = led_back([path for paths, _ in figures for path in paths])
+        paths = [scale * path * (1, -1) for path in paths]
         figure = np.repeat(np.arange(len(figures)), [len(paths) for paths, _ in figures])
         return outline(paths, figure, [rule == "evenodd" for _, rule in figures], tolerance, centred)
 
@@ -112,6 +115,41 @@ def paths_of(svgelements, shape):
             cubics.append(cubics_of(svgelements, segment))
     m = shape.transform
     return [path @ np.array([(m.a, m.b), (m.c, m.d)]) + (m.e, m.f) for path in paths]
+
+
+def led_back(paths):
+    """Closed paths, without the line that closes one where that bridges no more than rounding: the path ends there.
+
+    Coordinates that are rounded and added up do not lead back to where they began. The line from there has any
+    direction, also back along the path: a wall of its own as soon as the sides lean, and an edge that is sharp.
+
+    Parameters
+    ----------
+    paths : list of (n, 4, 2) float arrays
+        Cubics, the last one of each a line back to its start.
+
+    Examples
+    --------
+    >>> corners = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0004, -0.0004), (0.0, 0.0)])
+    >>> (square,) = led_back([cubics_from_lines(np.stack((corners[:-1], corners[1:]), axis=1))])
+    >>> square[:, 0].tolist(), square[-1, 3].tolist()
+    ([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], [0.0, 0.0])
+    """
+    of_drawing, of_path = ROUNDED
+    most = of_drawing * size(np.concatenate(paths))
+    found = []
+    for path in paths:
+        gap = float(np.hypot(*(path[-1, 3] - path[-1, 0])))
+        if len(path) > 3 and gap <= min(most, of_path * size(path)):
+            path = path[:-1].copy()
+            path[-1, 3] = path[0, 0]
+        found.append(path)
+    return found
+
+
+def size(path):
+    """The diagonal of the box round where the segments of a path start."""
+    return float(np.hypot(*np.ptp(path[:, 0], axis=0)))
 
 
 def cubics_of(svgelements, segment):
