@@ -45,8 +45,8 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
 
     Paths, rectangles, circles, ellipses, polygons and what uses them are united, each filled by its own rule and with
     its transforms. Strokes, texts, pictures, clipping and masks are left out. Overlaps are resolved to single
-    precision; areas that touch in a point are drawn apart there by a few millionths of the size. Paths whose numbers miss
-    their start by no more than rounding are led back to it.
+    precision; areas that touch in a point are drawn apart there by a few millionths of the size. Paths that miss their
+    start by no more than rounding are led back to it.
 
     Examples
     --------
