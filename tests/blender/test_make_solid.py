@@ -13,7 +13,8 @@ pytest.importorskip("manifold3d")
 from scenes import add, parameters_of, select, sweep
 from test_panels import drawn, said
 
-from sweep_addon.core.contours import Circle, Rectangle
+import sweep_addon as sw
+from sweep_addon.core.contours import Circle, Outline, Rectangle
 from sweep_addon.core.stations.sampling import Count
 from sweep_addon.core.trajectories import Arc, Polyline
 from sweep_addon.properties import finding, live, solving
@@ -103,6 +104,26 @@ def test_esc_leaves_the_surface_and_says_so(scene, window):
     assert solving.STOPPED.format("solid") in said(drawn(ob, width=2000)) and "object.sweep_make_solid" in drawn(ob)
     finding.find(ob.data)
     assert not finding.is_due(ob.data)
+
+
+def test_a_roof_of_many_points_is_made_while_the_last_mesh_stands(scene, window):
+    turns = 2 * np.pi * np.arange(1100) / 1100
+    radius = 1 + 0.1 * np.sin(40 * turns)
+    outline = Outline([np.stack((radius * np.cos(turns), radius * np.sin(turns)), axis=1)])
+    ob = sw.to_object(sw.TranslationalSweep(outline, height=0.2))
+    assert len(ob.data.vertices) == 2 * 1100 and not ob.data.sweep.solid
+    ob.data.sweep.translational_sweep.taper = 0.5
+    assert len(ob.data.vertices) == 2 * 1100 and ob.data.sweep.solid == live.AWAITED
+    work = solving.work_of(ob.data)
+    while not work.part:
+        time.sleep(0.01)
+    work.stop()
+    while not work.done:
+        time.sleep(0.01)
+    solving.finish(ob.data, work)
+    assert ob.data.sweep.solid == solving.STOPPED.format("solid") and len(ob.data.vertices) == 2 * 1100
+    solving.finish(ob.data, made(ob.data))
+    assert not ob.data.sweep.solid and len(ob.data.vertices) == len(sw.from_object(ob).mesh().vertices) > 1100
 
 
 def test_why_there_is_no_solid_is_told(scene, window):

@@ -410,6 +410,44 @@ def test_drafts_on_which_nothing_happens_are_the_grids_they_were():
     assert len(many.vertices) == 128 and many.chart.grid.columns == 64
 
 
+def wavy(points):
+    turns = 2 * np.pi * np.arange(points) / points
+    radius = 1 + 0.1 * np.sin(40 * turns)
+    return Outline([np.stack((radius * np.cos(turns), radius * np.sin(turns)), axis=1)])
+
+
+@pytest.mark.parametrize("directions", ["up", "symmetric"])
+def test_a_roof_tells_how_far_it_is_and_is_kept(directions):
+    parts, again = [], []
+    shape = TranslationalSweep(wavy(400), 0.5, directions, taper=atan(0.5), steps=2)
+    solid = shape.solid(parts.append)
+    assert parts == sorted(parts) and parts[0] < 0.01 and parts[-1] == 1.0 and len(parts) > 400
+    assert shape.solid(again.append).topology is solid.topology and again == []
+
+
+def test_a_roof_is_ended_by_whom_it_tells_and_made_for_who_asks_again():
+    shape, parts = TranslationalSweep(wavy(401), 0.5, taper=atan(0.5)), []
+
+    def enough(part):
+        parts.append(part)
+        if part > 0.6:
+            raise InterruptedError
+
+    with pytest.raises(InterruptedError):
+        shape.solid(enough)
+    assert parts[-2] <= 0.6 < parts[-1] < 0.9
+    assert_solid(shape.solid(), 2)
+
+
+def test_only_roofs_of_many_points_are_waited_for():
+    many = TranslationalSweep(wavy(1200), 0.2, taper=atan(0.5))
+    assert many.make_solid and many.surface() is None
+    assert not replace(many, contour=wavy(900)).make_solid
+    assert not replace(many, end="open").make_solid  # a solid would be refused
+    assert not replace(many, height=1e-4).make_solid  # no edge vanishes
+    assert not replace(many, taper=0.0).make_solid
+
+
 def test_a_change_of_direction_keeps_the_faces():
     """What is found of a contour is kept: the arrays of its faces are the same."""
     roof = roofed([comb(4)], 0.4)

@@ -14,6 +14,7 @@ from math import atan2, pi
 import numpy as np
 
 from ..declared.parameters import ShapeError
+from ..progress import unheard
 from .meetings import Meeting
 from .wavefront import PARALLEL, TOUCHING, UNDECIDED
 
@@ -21,13 +22,15 @@ ALIKE = 1e-6  # of the size: at a height where faces end, what Blender's single 
 NARROW = 1e-3  # radians: what is looked at for edges that lie on each other but for a tolerance
 
 
-def followed(front, heights):
+def followed(front, heights, progress=unheard):
     """Follow a wavefront up to rising heights, and stop it at each.
 
     Parameters
     ----------
     front : Wavefront
     heights : sequence of float
+    progress : callable, optional
+        Is told how much of the last height is behind, from 0 to 1; what it raises ends the work.
 
     Returns
     -------
@@ -47,8 +50,10 @@ def followed(front, heights):
     for height in heights:
         while (coming := front.due()) <= height:
             happen(front, coming, TOUCHING * front.size)
+            progress(coming / heights[-1])
         while happen(front, height, ALIKE * front.size):
             pass
+        progress(height / heights[-1])
         if not front.alive.any():
             return front.nodes[-1][2]
         front.stop(height)

@@ -18,12 +18,14 @@ from ..declared.parameters import ShapeError
 from ..grids.laying import CAP, SIDE
 from ..meshes.mesh import Topology
 from ..meshes.runs import following
+from ..progress import within
 from ..vectors import dot
 from . import caps
 from .events import ALIKE, followed
 from .wavefront import UNDECIDED, Wavefront
 
 MOST = 4096  # points of a section: each is looked at beside each edge
+LOOKED = 0.4  # of the time of a roof of many points: after it all know what they meet
 MOST_NODES = 1_000_000  # of all steps, a hundredth of a millisecond each
 BOTTOM, TOP = -1, -2  # the source of the faces of caps
 CORNER = np.cos(np.radians(20))  # edges that turn by more are sharp, as those of a section
@@ -54,7 +56,7 @@ class Roof:
 
 
 @lru_cache(maxsize=16)
-def roof(section, slopes, heights, closed):
+def roof(section, slopes, heights, closed, listener):
     """The surface that a section leaves.
 
     Parameters
@@ -67,6 +69,8 @@ def roof(section, slopes, heights, closed):
         Rising, those at which faces are cut, 0 among them.
     closed : tuple of two bool
         Whether caps close the start and the end.
+    listener : Listener
+        Is told which part is done, from 0 to 1; what it raises ends the work.
 
     Returns
     -------
@@ -82,25 +86,28 @@ def roof(section, slopes, heights, closed):
     The hip roof of a rectangle, two trapezoids and two triangles:
 
     >>> from ..contours import Rectangle
-    >>> hipped = roof(Rectangle(3, 2).section(), (1.0,), (0.0, 1.0), (True, True))
+    >>> from ..progress import Listener
+    >>> hipped = roof(Rectangle(3, 2).section(), (1.0,), (0.0, 1.0), (True, True), Listener())
     >>> np.diff(hipped.topology.offsets).tolist(), hipped.nodes[4:].tolist()
     ([4, 4, 3, 4, 3], [[-0.5, 0.0, 1.0], [0.5, 0.0, 1.0]])
     """
     speeds, flat = np.array(slopes)[section.loop_of], np.zeros((len(section.points), 1))
     nodes, faces, gone = [np.concatenate((section.points, flat), axis=1)], [], []
     levels = {0.0: np.split(section.points, section.offsets[1:-1])}
-    for side, shut in zip((-1, 1), closed, strict=True):
+    for number, (side, shut) in enumerate(zip((-1, 1), closed, strict=True)):
+        progress = within(listener.tell, number / 2 * (heights[0] < 0), (number + 1) / 2 if heights[-1] > 0 else 1.0)
         asked = sorted(side * height for height in heights if side * height > 0)
         if not asked:
             faces += cap_of(section, np.arange(len(section.points)), side) if shut else []
             gone.append(np.inf)
             continue
-        front = Wavefront(section, speeds, asked[-1])
-        gone.append(followed(front, asked))
+        front = Wavefront(section, speeds, asked[-1], within(progress, 0.0, LOOKED))
+        gone.append(followed(front, asked, within(progress, LOOKED, 1.0)))
         places, first = np.array(front.nodes), sum(map(len, nodes))
         faces += risen(front, section, places, first, side, shut)
         nodes.append(places[len(section.points) :] * (1, 1, side))
         levels.update((side * height, loops) for height, loops in loops_of(front, places).items())
+    listener.leave()
     return drawn(section, np.concatenate(nodes), faces, tuple(gone), levels)
 
 

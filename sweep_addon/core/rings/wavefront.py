@@ -11,6 +11,7 @@ the edges of a polyhedron whose faces are those that the lines leave behind.
 import numpy as np
 
 from ..declared.parameters import ShapeError
+from ..progress import unheard
 from ..vectors import dot
 
 TOUCHING = 1e-9  # of the size: what is nearer has met
@@ -47,6 +48,8 @@ class Wavefront:
         How far each edge moves to its left in a metre of height.
     highest : float
         The height up to which it is followed.
+    progress : callable, optional
+        Is told which part of the vertices has looked for what it meets, from 0 to 1; what it raises ends the work.
 
     Attributes
     ----------
@@ -60,7 +63,7 @@ class Wavefront:
         The edges as they were where the wavefront was stopped; bands are counted from stop to stop.
     """
 
-    def __init__(self, section, speeds, highest):
+    def __init__(self, section, speeds, highest, progress=unheard):
         edges = section.points[section.following] - section.points
         self.ways = edges / section.edge_lengths[:, None]
         self.normals = self.ways[:, ::-1] * (-1, 1)
@@ -81,6 +84,7 @@ class Wavefront:
         self.watch_edges(everything)
         for vertex in range(count):
             self.watch_lines(vertex)
+            progress((vertex + 1) / count)
 
     def room(self, count):
         """Make room for so many vertices."""

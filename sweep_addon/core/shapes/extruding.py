@@ -17,6 +17,7 @@ from ..grids.grid import Grid
 from ..later import later
 from ..meshes.mesh import Mesh, require_few
 from ..meshes.welding import finished, welded
+from ..progress import Listener
 from ..rings import caps, draft
 from ..rings.ends import Flat
 from ..stations.frames import Frames, require_several
@@ -25,6 +26,7 @@ from .translational_sweep import Directions, Reference
 roofs, roofing = later("core.rings.roofs"), later("core.shapes.roofing")  # of drafts whose edges vanish
 in_plane = later("core.grids.in_plane")  # of sweeps within the contour's plane
 
+MANY = 1000  # points of a contour: the roof of so many takes half a second
 PLANE = np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))  # its origin and its axes
 
 
@@ -93,8 +95,8 @@ def heights_of(sweep):
 def require_possible(sweep):
     """Refuse what the contour shows to have no mesh: see `TranslationalSweep.check`.
 
-    Where a draft leaves nothing of a contour that is wide enough is known once its edges have moved, which may take
-    seconds: that mesh is refused.
+    Whether a draft leaves anything of a contour that is wide enough is known once its edges have moved, and which angle
+    would do for one of many points too, which takes seconds: those meshes are refused.
     """
     heights = heights_of(sweep)
     for section in filter(None, sections_of(sweep)):
@@ -105,8 +107,9 @@ def require_possible(sweep):
             continue
         loops = zip(np.split(section.points, section.offsets[1:-1]), slopes.tolist(), outer, strict=True)
         gone = max(draft.room(points) / slope for points, slope, whole in loops if whole)
-        if gone < np.abs(heights).max() * (1 - draft.ALIKE) and not roof_of(sweep, section, heights):
-            draft_of(sweep, section, heights)  # one of them refuses it, and tells which angle will do
+        if gone < np.abs(heights).max() * (1 - draft.ALIKE) and len(section.points) <= MANY:
+            if not roof_of(sweep, section, heights):
+                draft_of(sweep, section, heights)  # one of them refuses it, and tells which angle will do
 
 
 def draft_of(sweep, section, heights):
@@ -135,21 +138,43 @@ def is_parted(sweep):
     return any(section and section.closed and roof_of(sweep, section, heights) for section in sections_of(sweep))
 
 
-def roof_of(sweep, section, heights):
-    """What edges leave that vanish, part or join below the heights: a `Roof`; None where none do, or all at once."""
-    slopes, found = known_draft(sweep, section, heights)
+def becomes_roof(sweep, section, heights):
+    """Whether edges of a section vanish, part or join below the heights, and not all at once."""
+    _, found = known_draft(sweep, section, heights)
     ends = np.abs(heights[[0, -1]]).tolist()
     short = [falls_short(*each) for each in zip(ends, found.reached, found.points, strict=True)]
     if not any(short) or any(one and point for one, point in zip(short, found.points, strict=True)):
+        return False
+    return not isinstance(sweep.contour, Mixed) and len(section.points) <= roofs.MOST
+
+
+def takes_long(sweep):
+    """Whether a person would wait for the mesh: for the roof of a closed contour of many points."""
+    if not sweep.is_drafted or not all(isinstance(end, Flat) for end in (sweep.start, sweep.end)):
+        return False
+    heights, many = heights_of(sweep), [s for s in sections_of(sweep) if s and s.closed and len(s.points) > MANY]
+    return any(becomes_roof(sweep, section, heights) for section in many)
+
+
+def follow(sweep, progress):
+    """Make what takes long of a mesh, which is kept for it, and tell how far that is."""
+    heights = heights_of(sweep)
+    for section in filter(None, sections_of(sweep)):
+        if section.closed and sweep.is_drafted:
+            roof_of(sweep, section, heights, progress)
+
+
+def roof_of(sweep, section, heights, progress=None):
+    """What edges leave that vanish, part or join below the heights: a `Roof`; None where none do, or all at once."""
+    if not becomes_roof(sweep, section, heights):
         return None
-    if isinstance(sweep.contour, Mixed) or len(section.points) > roofs.MOST:
-        return None
+    slopes, ends = drafted_slopes(sweep, section), np.abs(heights[[0, -1]]).tolist()
     most = roofs.MOST_NODES // len(section.points)
     sentence = f"must be at most {most} where edges of the contour vanish or meet"
     require(sweep.steps <= most, sentence, sweep.steps, "steps")
     closed = tuple(isinstance(end, Flat) for end in (sweep.start, sweep.end))
     try:
-        made = roofs.roof(section, tuple(slopes.tolist()), tuple(heights.tolist()), closed)
+        made = roofs.roof(section, tuple(slopes.tolist()), tuple(heights.tolist()), closed, Listener(progress))
     except ShapeError as error:
         key, angle = steepest(sweep, slopes)
         raise ShapeError(f"{error}, got {shown(angle)}", key) from None

@@ -145,6 +145,14 @@ class TranslationalSweep(Operand):
 
         return Places(())
 
+    @property
+    def make_solid(self):
+        """Whether the mesh takes so long that in a window the last one stays until it is made."""
+        return extruding.takes_long(self)
+
+    def surface(self, dtype=np.float64):
+        """Nothing: a roof that is followed to half of its height would be another one."""
+
     def solid(self, progress=None):
         """The boundary of all points that the contour visits, as one valid solid: each place counts once.
 
@@ -171,6 +179,7 @@ class TranslationalSweep(Operand):
         """
         from ..resolving.resolve import closed
 
+        extruding.follow(self, progress)
         return closed(self.mesh())
 
     def sections(self):
