@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.later import later
 from .face_offsets import write_face_offsets
-from .own_arrays import Room
+from .own_arrays import Room, seen_array
 
 carried = later("bridge.carried", "carried")
 
@@ -25,7 +25,7 @@ NAMES = (  # of what each key of a chart stands for
     ("v", "colour", "birth", "axis", "order", "organ", "size", "rotation", "depth", "line", "deviation"),
 )
 KNOWN = {TEXTURE, "sharp_edge", "sharp_face", "material_index", *NAMES[1], *NAMES[2]}  # no person's own
-SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many: half a millisecond on each update
+SAMPLE, SPARSE = 100_000, 128  # vertices looked at, all of them or so many
 SAME = 1e-6  # of the size: hosts differ in the last bit
 
 
@@ -117,13 +117,11 @@ def mark(mesh):
     if not mesh.vertices:
         return 0  # a new mesh has no attributes yet
     places = mesh.attributes["position"].data
-    if len(places) <= SAMPLE:
-        sample = np.empty(3 * len(places), np.float32)
-        places.foreach_get("vector", sample)
-    else:
-        looked_at = range(len(places))[sampled(len(places))]
-        sample = np.array([x for i in looked_at for x in places[i].vector], np.float32)
-    return total(sample, len(places), len(mesh.loops))
+    held = seen_array(places, "vector", np.float32, 3)
+    if held is None:
+        held = np.empty(3 * len(places), np.float32)
+        places.foreach_get("vector", held)
+    return total(held.reshape(-1, 3)[sampled(len(places))], len(places), len(mesh.loops))
 
 
 def sampled(count):

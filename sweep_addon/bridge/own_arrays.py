@@ -41,19 +41,28 @@ def own_array(items, name, dtype, width=1):
     (n * width,) array or None
         Good until anything else is done to the mesh; some of its values are not kept.
     """
-    count, dtype = len(items), np.dtype(dtype)
-    proven = (0, count // 2, count - 1)
-    for index, value in zip(proven, SENTINELS, strict=True):
+    for index, value in zip(proven(items), SENTINELS, strict=True):
         setattr(items[index], name, (value,) * width if width > 1 else value)
-    first, *others = (items[index].as_pointer() for index in proven)
-    size = width * dtype.itemsize
-    if any(other - first != size * index for other, index in zip(others, proven[1:], strict=True)):
-        return None
-    for index, value in zip(proven, SENTINELS, strict=True):
-        held = (KINDS[dtype] * width).from_address(first + size * index)
-        if any(number != value for number in held):
+    return seen_array(items, name, dtype, width)
+
+
+def seen_array(items, name, dtype, width=1):
+    """The same to be read alone: no value is set, and it is another mesh's too where these share it."""
+    dtype = np.dtype(dtype)
+    first, size = items[0].as_pointer(), width * dtype.itemsize
+    for index in proven(items):
+        item, place = items[index], first + size * index
+        if item.as_pointer() != place:
             return None
-    return np.ctypeslib.as_array((KINDS[dtype] * (count * width)).from_address(first))
+        held, told = (KINDS[dtype] * width).from_address(place), getattr(item, name)
+        if list(held) != (list(told) if width > 1 else [told]):
+            return None
+    return np.ctypeslib.as_array((KINDS[dtype] * (len(items) * width)).from_address(first))
+
+
+def proven(items):
+    """The numbers of the items that are looked at."""
+    return 0, len(items) // 2, len(items) - 1
 
 
 class Room:

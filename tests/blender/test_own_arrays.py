@@ -11,7 +11,7 @@ from scenes import places
 
 import sweep_addon as sw
 from sweep_addon.bridge import face_offsets, meshes, own_arrays
-from sweep_addon.bridge.own_arrays import FEWEST, own_array
+from sweep_addon.bridge.own_arrays import FEWEST, own_array, seen_array
 
 PRISM = sw.contours.RegularPolygon(sides=6)
 HELIX = sw.trajectories.Helix()
@@ -94,6 +94,26 @@ def test_array_is_found_only_where_faces_are_its_integers():
     assert faces.shown.tolist() == list(range(10))
     assert array_of_offsets(Faces(10, integers=3)) is None  # as Blender held them until 3.5
     assert array_of_offsets(Faces(10, elsewhere=True)) is None
+
+
+def test_array_is_seen_without_setting_a_value(scene):
+    mesh = LARGE.mesh()
+    held = bpy.data.meshes.new("Mesh")
+    meshes.write(held, mesh)
+    seen = seen_array(held.attributes["position"].data, "vector", np.float32, 3)
+    assert seen is None or seen.tolist() == mesh.vertices.astype(np.float32).ravel().tolist()
+    assert seen is not None or bpy.app.version >= KNOWN
+    np.testing.assert_array_equal(places(held), mesh.vertices.astype(np.float32))
+
+
+def test_array_is_seen_only_where_items_lie_and_read_as_its_numbers():
+    faces = Faces(10)
+    faces.shown[:] = range(10)
+    assert seen_array(faces, "loop_start", np.int32).tolist() == list(range(10))
+    assert seen_array(Faces(10, integers=3), "loop_start", np.int32) is None
+    apart = Faces(10, elsewhere=True)
+    apart.shown[:] = 1
+    assert seen_array(apart, "loop_start", np.int32) is None
 
 
 @pytest.fixture

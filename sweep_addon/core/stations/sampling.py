@@ -218,8 +218,9 @@ def stations(trajectory, s):
     points, first, second = trajectory.moving(u)
     leave = trajectory.tangents(u, first=first)
     arrive, reached = leave.copy("K"), np.append(trajectory.domain[1], u[1:]) if trajectory.closed else u
-    entered = measure.entered(reached)
-    joint = np.flatnonzero(np.isin(reached, joints) | (entered != reached))
+    entered, joint = measure.entered(reached), within(u, joints, joints)
+    if entered is not reached:  # somewhere it has stood still
+        joint = np.union1d(joint, np.flatnonzero(entered != reached))
     arrive[joint] = trajectory.tangents(entered[joint], before=True)
     if not trajectory.closed:
         arrive[0], leave[-1] = leave[0], arrive[-1]
@@ -247,9 +248,20 @@ def stations(trajectory, s):
 def snapped(u, joints):
     """Parameters that rounding put beside a joint, put on it: a corner has a tangent on either side."""
     least = 1e-9 * (joints[-1] - joints[0])
-    beside = np.flatnonzero(np.searchsorted(joints - least, u, "right") > np.searchsorted(joints + least, u))
+    beside = within(u, joints - least, joints + least)
     found, snapped = u[beside], u.copy()
     after = np.searchsorted(joints, found).clip(1, len(joints) - 1)
     near, far = joints[after - 1], joints[after]
     snapped[beside] = np.where(np.abs(found - near) < np.abs(found - far), near, far)
     return snapped
+
+
+def within(rising, low, high):
+    """Which of rising values lie in intervals, whose ends count and are few beside them: (k,) indices.
+
+    >>> within(np.array([0.0, 1.0, 2.0, 3.0]), np.array([0.0, 1.5]), np.array([0.0, 3.0])).tolist()
+    [0, 2, 3]
+    """
+    first, after = np.searchsorted(rising, low), np.searchsorted(rising, high, "right")
+    counts = after - first
+    return np.repeat(first - np.cumsum(counts) + counts, counts) + np.arange(counts.sum())
