@@ -11,7 +11,8 @@ import re
 import sys
 
 from ..core.declared.hints import meant
-from ..core.declared.parameters import ShapeError, shown
+from ..core.declared.parameters import ShapeError
+from ..core.declared.wording import shown
 from ..core.version import version
 from . import grammar, removing, verbs
 from .export import MODELS, PICTURES, silent

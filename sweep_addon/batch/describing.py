@@ -9,7 +9,8 @@ from pathlib import Path
 from ..core.csg import NODES
 from ..core.declared import description, forms
 from ..core.declared.hints import meant
-from ..core.declared.parameters import ShapeError, inside, parameters, shown, spelled
+from ..core.declared.parameters import ShapeError, inside, parameters, spelled
+from ..core.declared.wording import shown
 from ..core.shapes.kinds import CLASSIFICATION
 from ..presets import BY_NAME, GROWN
 from .grammar import STANDARD_INPUT

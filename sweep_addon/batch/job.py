@@ -10,19 +10,10 @@ from pathlib import Path
 
 from ..core.csg import NODES
 from ..core.declared import description, forms
+from ..core.declared.coercing import filled
 from ..core.declared.frozen import frozen
 from ..core.declared.hints import unmistakable
-from ..core.declared.parameters import (
-    ShapeError,
-    angle,
-    count,
-    declared,
-    filled,
-    parameter,
-    parameters,
-    require,
-    spelled,
-)
+from ..core.declared.parameters import ShapeError, angle, count, declared, parameter, parameters, require, spelled
 from ..core.declared.refusals import MOST, together
 from ..core.shapes.kinds import SHAPE_NAMES
 from .lines import lines_of

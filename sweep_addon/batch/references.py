@@ -8,22 +8,13 @@ from pathlib import Path
 
 from ..core import contours, solids, trajectories
 from ..core.csg.known import known
+from ..core.declared.coercing import filled
 from ..core.declared.description import table_schema
 from ..core.declared.hints import unmistakable
-from ..core.declared.parameters import (
-    ShapeError,
-    at,
-    declared,
-    filled,
-    length,
-    parameter,
-    parameters,
-    require,
-    shown,
-    spelled,
-)
+from ..core.declared.parameters import ShapeError, at, declared, length, parameter, parameters, require, spelled
 from ..core.declared.refusals import MOST
 from ..core.declared.texts import Grammar, Program
+from ..core.declared.wording import shown
 from ..core.rings.corners import Corner, Mitre
 from ..core.shapes import growing, milling
 from ..core.shapes.operand import Operand

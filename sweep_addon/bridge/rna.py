@@ -11,7 +11,8 @@ from functools import cache, lru_cache
 import bpy
 import numpy as np
 
-from ..core.declared.parameters import ShapeError, at, coerce, inside, parameters, require, spelled
+from ..core.declared.coercing import coerce
+from ..core.declared.parameters import ShapeError, at, inside, parameters, require, spelled
 from ..core.declared.texts import ASIDE, TEXTS, Values
 from ..core.later import later
 from .table import stored

@@ -9,8 +9,9 @@ import os
 from functools import cached_property, lru_cache
 from pathlib import Path
 
+from ..core.declared.coercing import pick
 from ..core.declared.names import title
-from ..core.declared.parameters import at, pick
+from ..core.declared.parameters import at
 from ..core.later import later
 from ..core.shapes.kinds import SHAPES
 

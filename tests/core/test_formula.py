@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 from sweep_addon.core.contours import Circle
+from sweep_addon.core.declared.coercing import coerce_kind
 from sweep_addon.core.declared.forms import plain
-from sweep_addon.core.declared.parameters import ShapeError, coerce_kind, parameters
+from sweep_addon.core.declared.parameters import ShapeError, parameters
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.stations.frames import rotation_minimizing
 from sweep_addon.core.stations.sampling import Count, place

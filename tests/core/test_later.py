@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from sweep_addon.core.declared.parameters import Parameter, coerce, inside, parameters
+from sweep_addon.core.declared.coercing import coerce
+from sweep_addon.core.declared.parameters import Parameter, inside, parameters
 from sweep_addon.core.later import later
 from sweep_addon.core.shapes.kinds import SHAPES
 from sweep_addon.core.variation.laws import Constant, Formula

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sweep_addon.core.declared.parameters import Array, Parameter, ShapeError, coerce, inside, parameters
+from sweep_addon.core.declared.coercing import coerce
+from sweep_addon.core.declared.parameters import Array, Parameter, ShapeError, inside, parameters
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder
 from sweep_addon.core.variation.laws import Constant, Formula, Law, Points
 

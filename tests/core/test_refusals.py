@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from sweep_addon.core.contours import Circle, Outline, from_dxf, from_svg, offset
 from sweep_addon.core.csg import Tree
-from sweep_addon.core.declared.parameters import ShapeError, shown
+from sweep_addon.core.declared.parameters import ShapeError
+from sweep_addon.core.declared.wording import shown
 from sweep_addon.core.envelopes.reach import reach
 from sweep_addon.core.grammars import LSystem
 from sweep_addon.core.shapes.generalized_cylinder import GeneralizedCylinder

@@ -7,7 +7,8 @@ from enum import Enum
 
 import numpy as np
 
-from ..declared.parameters import at, pick, require, spelled
+from ..declared.coercing import pick
+from ..declared.parameters import at, require, spelled
 from ..later import later
 from ..vectors import dot
 

@@ -6,7 +6,8 @@ from importlib import import_module
 
 import numpy as np
 
-from ..declared.parameters import LARGEST, Parameter, ShapeError, at, coerce, require
+from ..declared.coercing import coerce
+from ..declared.parameters import LARGEST, Parameter, ShapeError, at, require
 from .filling import filled
 from .flatten import flatten_cubics
 from .outline import Outline

@@ -9,7 +9,8 @@ from xml.etree import ElementTree
 import numpy as np
 
 from ..declared.documents import about, content
-from ..declared.parameters import ShapeError, shown
+from ..declared.parameters import ShapeError
+from ..declared.wording import shown
 from .flatten import cubics_from_lines, cubics_from_quadratics
 from .reading import argument, library, outline
 from .svg_document import LARGEST, tree

@@ -12,7 +12,8 @@ import re
 from dataclasses import is_dataclass
 
 from ..later import later
-from .parameters import ShapeError, from_table, parameters, require, spelled
+from .coercing import from_table
+from .parameters import ShapeError, parameters, require, spelled
 from .plain import MIGRATIONS, VERSION, plain
 from .refusals import together
 from .wording import named

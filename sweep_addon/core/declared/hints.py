@@ -7,8 +7,9 @@ from numbers import Real
 
 import numpy as np
 
+from .coercing import rows
 from .names import spelled
-from .parameters import Array, parameters, rows
+from .parameters import Array, parameters
 from .refusals import ShapeError
 from .wording import named, shown
 

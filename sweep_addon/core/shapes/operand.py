@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Operands: what set operations take, by ``a | b``, ``a & b`` and ``a - b``: shapes, solids and trees of them."""
 
-from ..declared.parameters import ShapeError, from_table, parameters, shown
+from ..declared.coercing import from_table
+from ..declared.parameters import ShapeError, parameters
+from ..declared.wording import shown
 from ..later import later
 
 known = later("core.csg.known", "known")

@@ -6,8 +6,9 @@ from enum import Enum
 
 import numpy as np
 
+from ..declared.coercing import coerce
 from ..declared.options import Texture
-from ..declared.parameters import at, coerce, count, declared, parameter, parameters, require, spelled
+from ..declared.parameters import at, count, declared, parameter, parameters, require, spelled
 from ..declared.texts import Grammar, Values
 from ..later import later
 from .operand import Operand
