@@ -70,10 +70,8 @@ class Meeting:
         front, some = self.front, slice(self.front.count)
         near = (front.reach[some] - front.now) * front.closing[some] <= self.room
         for vertex in np.flatnonzero(near).tolist():
-            coming = front.coming[vertex]
-            while coming and (coming[-1][0] - front.now) * coming[-1][1] <= self.room:
-                self.touch(vertex, coming.pop()[2])
-            front.look(vertex)
+            while (front.reach[vertex] - front.now) * front.closing[vertex] <= self.room:
+                self.touch(vertex, front.passes(vertex))
 
     def touch(self, vertex, source):
         """A vertex is on the line of an edge: weld or split the piece that it is on, if any."""

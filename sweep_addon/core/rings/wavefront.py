@@ -18,8 +18,10 @@ TOUCHING = 1e-9  # of the size: what is nearer has met
 PARALLEL = 1e-9  # the sine of the angle between lines that never meet
 SURE = 1e-5  # of the size: what is farther apart does not meet, however it rounds
 BEYOND = 1.001  # times the height: what happens hardly beyond it is taken to be there
+FEW = 100  # vertices end until edges of which nothing is left are looked for
 MOST_EVENTS = 8  # for each edge: a contour has fewer, so rounding goes round in circles
 UNDECIDED = "must not lead edges to where rounding decides how they meet"
+NONE = np.zeros(0), np.zeros(0), np.zeros(0, dtype=int)  # of lines: when they are reached, how fast, and their edges
 KEPT = {  # of each vertex: its shape, and what stands for none
     "place": ((2,), 0.0),  # where it was born
     "since": ((), 0.0),  # at which height
@@ -34,6 +36,7 @@ KEPT = {  # of each vertex: its shape, and what stands for none
     "shrink": ((), 1.0),
     "reach": ((), np.inf),  # when it reaches the next line, and how fast it gets nearer
     "closing": ((), 1.0),
+    "passed": ((), 0),  # how many lines that it comes to are behind it
 }
 
 
@@ -72,6 +75,7 @@ class Wavefront:
         self.nodes = [(x, y, 0.0) for x, y in section.points.tolist()]
         self.rises, self.ridges, self.levels = [], [], []
         count = len(section.points)
+        self.edges_left, self.among, self.gone_since = np.arange(count), np.arange(count), 0
         self.count, self.left, self.coming = 0, MOST_EVENTS * count, []
         self.room(4 * count)
         self.lying = [set() for _ in range(count)]  # the vertices from which pieces of each edge lead on
@@ -93,7 +97,7 @@ class Wavefront:
             if self.count:
                 new[: self.count] = getattr(self, name)[: self.count]
             setattr(self, name, new)
-        self.coming += [[] for _ in range(count - len(self.coming))]
+        self.coming += [NONE] * (count - len(self.coming))
 
     def born(self, node, into, out):
         """A vertex that begins at a node between two edges, one that leads into it and one out of it: its number."""
@@ -140,25 +144,44 @@ class Wavefront:
         """
         into, out = self.into[vertex], self.out[vertex]
         turn = self.ways[into] @ self.normals[out]
-        distance = self.normals @ self.at(np.array([vertex]), self.now)[0] - self.offsets - self.speeds * self.now
-        away = self.normals @ self.velocity[vertex] - self.speeds
+        there = self.there()
+        normals, speeds = self.normals[there], self.speeds[there]
+        distance = normals @ self.at(np.array([vertex]), self.now)[0] - self.offsets[there] - speeds * self.now
+        away = normals @ self.velocity[vertex] - speeds
         room = TOUCHING * self.size
         meets = (turn >= -PARALLEL) & (distance > -room) & (away < 0)
         meets |= (turn <= PARALLEL) & (distance < room) & (away > 0)
-        meets[[into, out, *known]] = False
+        own = self.among[[into, out, *known]]
+        meets[own[own >= 0]] = False
         which = np.flatnonzero(meets)
         when = self.now - distance[which] / away[which]
-        soon = when <= BEYOND * self.highest
-        which, when = which[soon], when[soon]
-        order = np.argsort(when)[::-1]
-        which, when = which[order], when[order]
-        self.coming[vertex] = list(zip(when.tolist(), np.abs(away[which]).tolist(), which.tolist(), strict=True))
+        soon = np.flatnonzero(when <= BEYOND * self.highest)
+        soon = soon[np.argsort(when[soon], kind="stable")]
+        which = which[soon]
+        self.coming[vertex], self.passed[vertex] = (when[soon], np.abs(away[which]), there[which]), 0
         self.look(vertex)
+
+    def there(self):
+        """The edges of which a piece is left: (k,) int array."""
+        if self.gone_since > FEW:
+            self.edges_left = np.flatnonzero([bool(pieces) for pieces in self.lying])
+            self.among[:] = -1
+            self.among[self.edges_left] = np.arange(len(self.edges_left))
+            self.gone_since = 0
+        return self.edges_left
 
     def look(self, vertex):
         """The next line that a vertex reaches."""
-        coming = self.coming[vertex]
-        self.reach[vertex], self.closing[vertex] = coming[-1][:2] if coming else (np.inf, 1.0)
+        (when, closing, _), number = self.coming[vertex], self.passed[vertex]
+        some = number < len(when)
+        self.reach[vertex], self.closing[vertex] = (when[number], closing[number]) if some else (np.inf, 1.0)
+
+    def passes(self, vertex):
+        """The line that a vertex reaches next, which is then behind it."""
+        source = int(self.coming[vertex][2][self.passed[vertex]])
+        self.passed[vertex] += 1
+        self.look(vertex)
+        return source
 
     def ended(self, vertex, node):
         """A vertex ends at a node."""
@@ -166,6 +189,8 @@ class Wavefront:
         self.alive[vertex] = False
         self.vanish[vertex] = self.reach[vertex] = np.inf
         self.lying[self.out[vertex]].discard(vertex)
+        self.gone_since += 1
+        self.coming[vertex] = NONE
 
     def count_event(self):
         """Refuse more events than edges can have."""
@@ -182,12 +207,11 @@ class Wavefront:
             height = float(self.reach[vertex])
             if height >= vanishing or self.meets(vertex, height):
                 return max(self.now, min(vanishing, height))
-            self.coming[vertex].pop()
-            self.look(vertex)
+            self.passes(vertex)
 
     def meets(self, vertex, height):
         """Whether a piece of an edge may be where a vertex reaches its line: it is not far off."""
-        source = self.coming[vertex][-1][2]
+        source = int(self.coming[vertex][2][self.passed[vertex]])
         (x, y), room = self.ways[source].tolist(), SURE * self.size
 
         def along(vertex):
