@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A coil that is too thick is made a solid: by one click, a moment later, and again after each change; Esc stops it."""
+"""A coil that is too thick is made a solid: by one click, a moment later, and again after each change; Esc stops it.
+
+A roof of many points is waited for in the same way, and made when it is asked for again.
+"""
 
 import bpy
 from _window import run
@@ -42,6 +45,34 @@ def make_solid(person):
     yield 1.0
     assert "Esc stopped it" in mesh.sweep.solid
     yield from person.picture("make-solid-3-stopped")
+    yield from roof(person)
+
+
+def roof(person):
+    bpy.data.batch_remove(list(bpy.data.objects))
+    bpy.ops.mesh.translational_sweep_add()
+    mesh = bpy.context.active_object.data
+    group = mesh.sweep.translational_sweep
+    group.contour, group.height, group.contour_superellipse_quarter_points = "SUPERELLIPSE", 0.5, 1000
+    prism = len(mesh.vertices)
+    assert prism == 2 * 4 * 1000 and not mesh.sweep.solid
+    group.taper = 0.98
+    assert mesh.sweep.solid == "AWAITED" and len(mesh.vertices) == prism
+    for _ in range(200):
+        yield 0.02
+        if bpy.types.OBJECT_OT_sweep_make_solid.part():
+            break
+    yield from person.press("ESC")
+    yield 0.5
+    yield from person.picture("make-solid-4-roof-stopped")
+    assert "Esc stopped it" in mesh.sweep.solid and len(mesh.vertices) == prism, mesh.sweep.solid
+    bpy.ops.object.sweep_make_solid("INVOKE_DEFAULT")
+    for _ in range(600):
+        yield 0.1
+        if not mesh.sweep.solid:
+            break
+    assert not mesh.sweep.solid and len(mesh.vertices) != prism
+    yield from person.picture("make-solid-5-roof")
 
 
 run(make_solid)
