@@ -78,17 +78,21 @@ def jets(rule):
 
 
 def composed(inner, derivatives):
-    """A function of a jet by Faa di Bruno's formula; derivatives of x gives its value and first three derivatives."""
+    """A function of a jet by Faa di Bruno's formula.
+
+    The derivatives of x are its value and first three derivatives, or yield them: more than are needed are not asked.
+    """
     x, *rest = inner.series
-    f = [part / factorial(order) for order, part in enumerate(derivatives(x)[: 1 + len(rest)])]
-    parts = [f[0]]
+    f = [part / factorial(order) for order, part in zip(range(1 + len(rest)), derivatives(x), strict=False)]
+    series = np.empty(inner.series.shape)
+    series[0] = f[0]
     if len(rest) > 0:
-        parts.append(f[1] * rest[0])
+        series[1] = f[1] * rest[0]
     if len(rest) > 1:
-        parts.append(f[1] * rest[1] + f[2] * rest[0] ** 2)
+        series[2] = f[1] * rest[1] + f[2] * rest[0] ** 2
     if len(rest) > 2:
-        parts.append(f[1] * rest[2] + 2 * f[2] * rest[0] * rest[1] + f[3] * rest[0] ** 3)
-    return Jet(np.array([np.broadcast_to(part, x.shape) for part in parts]))
+        series[3] = f[1] * rest[2] + 2 * f[2] * rest[0] * rest[1] + f[3] * rest[0] ** 3
+    return Jet(series)
 
 
 def chosen(condition, yes, no):
@@ -98,8 +102,28 @@ def chosen(condition, yes, no):
     return Jet(np.where(condition, lifted(yes, like).series, lifted(no, like).series))
 
 
-@jets
+def total(a, b):
+    """A sum, and a plain number added to the value alone."""
+    if not isinstance(b, Jet):
+        a, b = b, a
+    if isinstance(a, Jet):
+        return Jet(a.series + b.series)
+    series = b.series + 0.0
+    series[0] = a + b.series[0]
+    return Jet(series)
+
+
 def product(a, b):
+    """A product, by Leibniz's rule but for a plain number, of which most formulas are full.
+
+    Beside an infinite value there is no derivative, whatever it is multiplied by.
+    """
+    if not isinstance(b, Jet):
+        a, b = b, a
+    if not isinstance(a, Jet):
+        if np.isfinite(b.series).all():
+            return Jet(a * b.series)
+        a = lifted(a, b)
     return Jet(np.array([(a.series[: k + 1] * b.series[k::-1]).sum(axis=0) for k in range(len(a.series))]))
 
 
@@ -133,11 +157,10 @@ def power(a, b):
     if not isinstance(b, Jet):
 
         def derivatives(x):
-            found, factor = [], 1.0
+            factor = 1.0
             for k in range(MOST + 1):
-                found.append(np.where(factor == 0, 0.0, factor * np.power(x, b - k)))
+                yield np.where(factor == 0, 0.0, factor * np.power(x, b - k))
                 factor = factor * (b - k)
-            return found
 
         return composed(a, derivatives)
     found = np.exp(b * np.log(lifted(a, b)))
@@ -147,8 +170,13 @@ def power(a, b):
 
 def turned(order):
     """The derivatives of a sine whose phase is so many quarters ahead."""
-    cycle = (np.sin, np.cos, lambda x: -np.sin(x), lambda x: -np.cos(x))
-    return lambda x: [cycle[(order + k) % 4](x) for k in range(MOST + 1)]
+
+    def derivatives(x):
+        sine, cosine = np.sin(x), np.cos(x)
+        cycle = sine, cosine, -sine, -cosine
+        return [cycle[(order + k) % 4] for k in range(MOST + 1)]
+
+    return derivatives
 
 
 def stepped(function):
@@ -167,16 +195,23 @@ def scaled(derivatives, factor, function=None):
 
 
 def reciprocal(x):
-    return [1 / x, -1 / x**2, 2 / x**3, -6 / x**4]
+    yield 1 / x
+    yield -1 / x**2
+    yield 2 / x**3
+    yield -6 / x**4
 
 
 def logarithm(x):
-    return [np.log(x), *reciprocal(x)[:MOST]]
+    yield np.log(x)
+    yield from reciprocal(x)
 
 
 def square_root(x):
     root = np.sqrt(x)
-    return [root, 1 / (2 * root), -1 / (4 * root**3), 3 / (8 * root**5)]
+    yield root
+    yield 1 / (2 * root)
+    yield -1 / (4 * root**3)
+    yield 3 / (8 * root**5)
 
 
 def tangent(x):
@@ -219,7 +254,7 @@ OF_ONE = {
     **{step: stepped(step) for step in (np.floor, np.ceil, np.trunc, np.sign)},
 }
 OF_TWO = {
-    np.add: jets(lambda a, b: Jet(a.series + b.series)),
+    np.add: total,
     np.subtract: jets(lambda a, b: Jet(a.series - b.series)),
     np.multiply: product,
     np.divide: lambda a, b: a * composed(b, reciprocal) if isinstance(b, Jet) else a * (1 / b),
