@@ -9,8 +9,9 @@ library inside the extension, so that no module exists twice. Blender's user fol
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
 A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
 and hypothesis examples. ``SWEEP_BRIEF=1`` says that other hosts do the same at length: then fewer are drawn,
-and tests marked `thorough` are skipped, but for one in ten of those that have so many cases. ``SWEEP_FAST=1`` leaves
-out those that slow.txt names, as `scripts/slow_tests` has measured them.
+and tests marked `thorough` are skipped, but for one in ten of those that have so many cases; of tests of the core the
+installed zip runs one in ten of each file, to show that nothing is missing: the same Blender has run all in the
+checkout. ``SWEEP_FAST=1`` leaves out those that slow.txt names, as `scripts/slow_tests` has measured them.
 """
 
 import atexit
@@ -36,6 +37,8 @@ BRIEF = os.environ.get("SWEEP_BRIEF") == "1" and not FULL
 LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)")
 FAST = os.environ.get("SWEEP_FAST") == "1"
 SLOW = pytest.mark.skip(reason="slow: runs without SWEEP_FAST=1 (scripts/test --fast)")
+CORE = CHECKOUT / "tests" / "core"
+IN_THE_CHECKOUT = pytest.mark.skip(reason="core: runs in the same Blender with the checkout, or with SWEEP_FULL=1")
 KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
 THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python, or with SWEEP_FULL=1")
 
@@ -131,7 +134,7 @@ def pytest_report_header(config):
         return "sweep: no Blender here; tests that need one are skipped"
     import bpy
 
-    kind = "this checkout" if config.sweep_place.is_symlink() else "the installed zip"
+    kind = "the installed zip" if is_installed(config) else "this checkout"
     return f"sweep: Blender {bpy.app.version_string}, the extension is {kind}"
 
 
@@ -146,7 +149,7 @@ def pytest_collection_finish():
     gc.freeze()
 
 
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(config, items):
     for item in items:
         if not FULL and item.get_closest_marker("large"):
             item.add_marker(LARGE)
@@ -158,6 +161,22 @@ def pytest_collection_modifyitems(items):
     if BRIEF:
         for item in left_to_others([item for item in items if item.get_closest_marker("thorough")]):
             item.add_marker(THOROUGH)
+        if is_installed(config):
+            for item in left_to_the_checkout(items):
+                item.add_marker(IN_THE_CHECKOUT)
+
+
+def is_installed(config):
+    """Whether the extension is that of a zip, and not this checkout."""
+    return hasattr(config, "sweep_place") and not config.sweep_place.is_symlink()
+
+
+def left_to_the_checkout(items):
+    """The items of the core that the same Blender runs in the checkout: all but one in ten of each file."""
+    number = defaultdict(itertools.count)
+    for item in items:
+        if CORE in item.path.parents and next(number[item.path]) % KEPT:
+            yield item
 
 
 def left_to_others(thorough):

@@ -65,6 +65,7 @@ def test_every_part_of_the_library_has_its_place():
     assert parts == {name for name in BELOW if name.startswith("sweep_addon/")}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_nothing_imports_upwards(folder):
     found = [problem for file in CHECKOUT.glob(f"{folder}/**/*.py") for problem in upward(file)]

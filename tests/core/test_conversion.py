@@ -86,6 +86,7 @@ def test_operations_on_primitives_give_every_real_outline_back(real, samples):
         require_same_set(vertices, decomposition, seed, samples)
 
 
+@pytest.mark.thorough
 @SAMPLES
 def test_operations_on_primitives_give_random_outlines_back(drawn_by_chance, samples):
     for seed, (vertices, decomposition) in enumerate(drawn_by_chance):
@@ -101,6 +102,7 @@ def test_signed_areas_of_primitives_are_the_area(real, drawn_by_chance):
         require_same_area(vertices, decomposition)
 
 
+@pytest.mark.thorough
 def test_every_step_lowers_vertices_and_arcs(real, drawn_by_chance):
     for *_, decomposition in (*real, *drawn_by_chance):
         require_reductions(decomposition)

@@ -81,6 +81,7 @@ def test_a_mirrored_operand_is_outward():
     assert mirrored.mesh().volume() == pytest.approx(sw.solids.Bracket().mesh().volume())
 
 
+@pytest.mark.thorough
 def test_an_operand_that_crosses_itself_is_resolved_first():
     """The closed form of a spindle torus's solid; its surface alone counts the lens twice."""
     from math import pi

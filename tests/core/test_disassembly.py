@@ -38,6 +38,7 @@ def test_a_pin_that_holds_two_parts_comes_first():
     assert taken.blocking["inner"] == ("outer", "pin")
 
 
+@pytest.mark.thorough
 def test_parts_that_do_not_come_apart_are_named():
     part, others = shelled()
     taken = sw.disassembly({"kernel": part, **others, "pebble": Ball(0.1).moved(x=2.0)}, budget=2000)
@@ -46,6 +47,7 @@ def test_parts_that_do_not_come_apart_are_named():
     assert str(taken) == "In this order: pebble; no way out was found for any of kernel, shell"
 
 
+@pytest.mark.thorough
 def test_a_part_that_must_turn_is_taken_out_when_no_other_is_left():
     plug, others = bayonet()
     taken = sw.disassembly({"plug": plug, **others, "cap": Cylinder(0.2, 0.1, points=16).moved(z=0.55)})

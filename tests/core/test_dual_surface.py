@@ -95,6 +95,7 @@ def hollow(points):
     return np.maximum(np.abs(points).max(axis=1) - 1.5, -lens(points))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("field", [lens, hollow])
 def test_a_crease_has_vertices_all_along(field):
     """No lattice sees the rim itself where it is thinner than a cell: there a vertex stays up to half a cell off."""

@@ -122,6 +122,7 @@ def test_meshes_of_faces_are_left_out():
     assert sw.contours.from_dxf(drawing(draw)).area == pytest.approx(8 + pi / 4, rel=1e-12)
 
 
+@pytest.mark.thorough
 def test_blocks_in_blocks_are_not_drawn_for_ever():
     """Each level draws the one below ten times: a hundred thousand circles of a file of a few kilobytes."""
 
@@ -138,6 +139,7 @@ def test_blocks_in_blocks_are_not_drawn_for_ever():
         sw.contours.from_dxf(drawing(draw))
 
 
+@pytest.mark.thorough
 def test_thousands_of_lines_in_any_order_are_joined():
     """Shuffled and turned round, the sides of a circle of 4,000 corners."""
     angle = 2 * pi * np.arange(4000) / 4000

@@ -124,6 +124,7 @@ def test_what_turns_at_once_at_a_corner_passes_over_nothing_there(generator, bey
     assert ((classify(sweep, p) > 0) == true).all() and true.sum() > 500
 
 
+@pytest.mark.thorough
 def test_a_solid_may_turn_at_a_corner_of_short_legs():
     """Its distance leaps there; taken for one motion it had too much beyond the corner, or gaps, and was refused."""
     path = Polyline([(0, 0, 0), (0.4, 0, 0), (0.4, 0.4, 0)])
@@ -207,6 +208,7 @@ def coarse(shape, size):
     return mesh, 0.1 * step * mesh.area() / size
 
 
+@pytest.mark.thorough
 def test_a_block_along_a_line_is_a_longer_block():
     mesh, off = coarse(GeneralSweep(CUBE, Line()), 0.16 * 1.4)
     assert mesh.volume() == pytest.approx(0.16 * 1.4, rel=off)
@@ -302,6 +304,7 @@ def test_a_deformed_solid_is_where_its_points_went():
     assert (points.min(axis=0) >= mesh.vertices.min(axis=0) - 0.2 * step).all()
 
 
+@pytest.mark.thorough
 def test_random_motions_of_solids_are_closed_manifold_and_outward():
     rng = np.random.default_rng(7)
     for number in range(RANDOM):

@@ -269,6 +269,7 @@ def test_a_refusal_of_a_known_size_comes_at_once():
     assert time.process_time() - started < 0.01
 
 
+@pytest.mark.thorough
 def test_a_nest_of_branches_as_deep_as_a_text_allows_is_derived():
     depth = 100_000
     system = LSystem.parse(f"#ignore +\naxiom: A{'[+' * depth}B{']' * depth}\nA < B -> C")

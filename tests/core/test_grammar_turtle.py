@@ -142,6 +142,7 @@ def test_branches_in_which_nothing_moves_change_nothing(letters, upright, draws)
     assert left_out > draws // 4
 
 
+@pytest.mark.thorough
 def test_long_paths_are_drawn_as_by_the_reference():
     draw = np.random.default_rng(4)
     for letters in ("FF+-&^/\\", "F+-&/[]"):

@@ -22,6 +22,7 @@ def asked(low, high, count=20_000, seed=0):
     return np.random.default_rng(seed).uniform(low, high, (count, 3))
 
 
+@pytest.mark.thorough
 def test_a_taper_that_is_a_formula_has_one_image_for_each_point():
     p = asked((-1, -1, -0.1), (1, 1, 2.1))
     found = sw.inverse_sweep(TAPERED, p)
@@ -32,6 +33,7 @@ def test_a_taper_that_is_a_formula_has_one_image_for_each_point():
     np.testing.assert_allclose(found.images, images[some], atol=1e-12)
 
 
+@pytest.mark.thorough
 def test_images_beside_a_contour_are_told_within_the_box_around_it():
     """Of a thin angle iron most of the box is empty."""
     iron = sw.contours.Outline([[(0, 0), (1, 0), (1, 0.02), (0.02, 0.02), (0.02, 1), (0, 1)]])
@@ -60,6 +62,7 @@ def test_where_a_sweep_folds_a_point_has_two_images():
     np.testing.assert_allclose(found.images, p[found.point, :2], atol=1e-12)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("shape, low, high, places", [
     (TAPERED, (-1, -1, 0), (1, 1, 2), lambda x, y, t: (x * (1 - t / 2), y * (1 - t / 2), 2 * t)),
     (FOLDED, (-0.3, -0.3, -1), (0.3, 0.3, 1), lambda x, y, t: (x, y, 2 * t - 3 * t**2 * (1 + x))),

@@ -62,6 +62,7 @@ def test_quarter_turn_between_two_planes_is_made_in_a_thirtythousandth_of_the_le
     assert np.abs(along).min() > 0.99  # a smooth one takes either side of the second
 
 
+@pytest.mark.thorough
 def test_side_on_which_a_smooth_frame_goes_on_does_not_hang_on_rounding():
     """At a right angle both are as near. Turned and moved it is the same bar, and membership tells of the same one."""
     random, beside = np.random.default_rng(0), Outline([box((0.05, 0.0), (0.15, 0.05))])

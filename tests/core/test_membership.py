@@ -352,6 +352,7 @@ def test_a_moving_tree_is_told_within_the_tolerance():
     assert (labels[least > 1e-3 + error] == -1).all()
 
 
+@pytest.mark.thorough
 def test_a_ball_that_grows_as_it_moves_leaves_a_cone():
     """The envelope of balls of radius 0.3 + 0.25 s is a cone with two caps, of polyhedra nearly so."""
     ball = sw.solids.Triangles.of(sw.solids.Ball(0.3, 256).mesh())

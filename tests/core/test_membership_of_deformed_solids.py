@@ -17,6 +17,7 @@ def box(points, low, high):
     return np.maximum(np.array(low) - points, points - np.array(high)).max(axis=1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_sheared_block_moves_as_a_parallelepiped(tolerance):
     """Sheared by x + 0.6 z, and moved along x: unsheared it is a longer block."""
@@ -61,6 +62,7 @@ def test_a_twisted_bar_moved_across_is_at_each_height_a_turned_rectangle_moved(t
     assert (sw.classify(sweep, points, tolerance) == np.where(visited, 1, -1))[clear].all()
 
 
+@pytest.mark.thorough
 def test_a_ball_that_is_bent_stays_round_across():
     """Moved aside by x + 0.3 sin z the slices of a ball stay discs."""
     sweep = sw.GeneralSweep(sw.solids.Ball(0.5), sw.trajectories.Line(end=(0, 1, 0)), deform_x="x + 0.3*sin(4*z)")
@@ -92,6 +94,7 @@ def test_a_bar_that_is_bent_to_an_open_ring_keeps_its_gap():
     assert (far[:500] > 0).sum() > 50
 
 
+@pytest.mark.thorough
 def test_a_block_may_be_pressed_flat_at_the_end():
     """Along x it becomes thinner: where it is thickest as it passes over a point, its rear end does so first."""
     flat = sw.GeneralSweep(sw.solids.Block(0.5, 0.4, 0.6), ALONG_X, deform_z="z*(1 - t)")
@@ -165,6 +168,7 @@ def test_many_small_waves_in_time_are_followed():
     assert (sw.classify(sweep, out + (0.0011, 0, 0)) == -1).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("waves", [2, 4, 8])
 @pytest.mark.parametrize("half_swings", [0, 9, 41])
 def test_waves_that_fit_the_box_are_followed(waves, half_swings):

@@ -155,6 +155,7 @@ def test_what_stays_in_its_plane_is_a_figure_of_it():
     assert (sw.classify(discs, p + (0, 0, 1e-3)) == -1).all()
 
 
+@pytest.mark.thorough
 def test_a_surface_that_moves_sweeps_what_its_mesh_bounds():
     triangle = sw.solids.Triangles([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
     p = np.random.default_rng(6).uniform(-0.2, 1.2, (20_000, 3))

@@ -13,6 +13,7 @@ KNOT = sw.trajectories.TorusKnot(2, 3, 0.5, 0.25)
 WEDGE = sw.contours.Outline([[(-0.05, -0.05), (0.25, 0), (-0.05, 0.05)]])  # of which half a turn makes another one
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", [sw.GeneralizedCylinder, sw.GeneralSweep])
 def test_a_figure_on_a_knot_is_where_its_mesh_is(kind):
     body = MeshBody(kind(WEDGE, KNOT, frame="frenet", samples=sw.sampling.Count(2000)).mesh())

@@ -251,6 +251,7 @@ def test_a_tube_without_ends_that_moves_across_is_its_skins_way():
     assert (sw.classify(shape, points) == np.where(inside, 1, -1))[clear].all()
 
 
+@pytest.mark.thorough
 def test_what_a_sheet_leaves_may_move_once_more_and_be_an_operand():
     """A square moved up and then aside is a block; less another block it is an angle."""
     twice = sw.SweptSolid(sw.SweptSolid(SQUARE, UP), sw.trajectories.Line(end=(1, 0, 0)))
@@ -282,6 +283,7 @@ def test_with_open_ends_a_square_leaves_the_sides_of_a_block(tolerance):
         assert (labels == 0).sum() > 300
 
 
+@pytest.mark.thorough
 def test_vertices_of_a_surface_that_an_open_sweep_leaves_are_on():
     scaled = {"scale_x": "1 - 0.5*t", "turn_z": "t", "deform_z": "z + 0.3*t*x*(1 - x)"}
     shape = sw.GeneralSweep(SHEETS["a wave"], sw.trajectories.Arc(1.0, 2.0), start="open", end="open", **scaled)

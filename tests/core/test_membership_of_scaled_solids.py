@@ -117,6 +117,7 @@ LAWS = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", LAWS)
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
 def test_a_scaled_drilled_mesh_is_where_many_poses_of_it_are(name, tolerance):
@@ -161,6 +162,7 @@ def test_what_is_scaled_may_be_an_operand_and_move_once_more():
     assert (sw.classify(moved, points[:300], 1e-3) == np.sign(-far[:300]))[clear[:300]].all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", [None, 1e-12, 1e-4, 1e-2])
 @pytest.mark.parametrize("laws", [{"scale_z": "max(0, 2*t - 1)"}, {"deform_z": "z*max(0, 2*t - 1)"}])
 def test_a_solid_that_is_flat_has_no_inside_and_leaves_nothing(laws, tolerance):
@@ -172,6 +174,7 @@ def test_a_solid_that_is_flat_has_no_inside_and_leaves_nothing(laws, tolerance):
     assert sw.classify(sweep, points, tolerance).tolist() == [-1] * 9 + [1, 1, -1]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("body", "scale", "half", "tolerance"),
     [(sw.solids.Ball(0.3), 0.5, 0.15, 0.1515), (sw.solids.Block(1.0, 1.0, 1.0), 0.1, 0.05, 0.0505)],

@@ -352,6 +352,7 @@ def test_the_cut_of_a_straight_bar_that_turns_is_followed_too():
     assert_solid(mesh, 2)
 
 
+@pytest.mark.thorough
 def test_random_shapes_are_solids(draws):
     """Those that are not refused, at most one in twenty, are closed, manifold and outward, and so are bounded ones."""
     refused = 0

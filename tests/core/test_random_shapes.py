@@ -26,7 +26,7 @@ from sweep_addon.core.trajectories import Bezier, Formula, Helix, Polyline
 
 pytest.importorskip("manifold3d")
 
-DRAWN = 1000 if FULL else 2 if BRIEF else 8
+DRAWN = 1000 if FULL else 2 if BRIEF else 4
 SIDES = "outside", "inside", "shell"
 REFUSED = 0.15  # of shapes at most: nothing is left inside, contours turn too much, or cells are too large
 

@@ -109,6 +109,7 @@ def random_curve(seed, terms=4):
     return Formula(*texts, start=0.0, end=2 * np.pi)
 
 
+@pytest.mark.thorough
 def test_reach_of_random_curves_is_that_of_the_definition(draws):
     for seed in range(draws // 5):
         curve = random_curve(seed)

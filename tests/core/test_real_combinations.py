@@ -147,7 +147,7 @@ def check(sweep, scaled):
         assert_sound(sweep.solid(), True)
 
 
-@pytest.mark.parametrize("more", [1, pytest.param(4, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("more", [1, pytest.param(4 if FULL else 2, marks=pytest.mark.thorough)])
 @pytest.mark.parametrize("kind", PATHS)
 def test_real_contours_along_real_paths_are_sound_or_refused_in_a_sentence(kind, more):
     refused = 0

@@ -31,6 +31,7 @@ def test_a_key_goes_along_its_slot_to_the_mouth_and_out():
     assert path.legs[1].way[2] > 0.35 and abs(path.legs[1].way[:2]).max() < 1e-9
 
 
+@pytest.mark.thorough
 def test_a_bayonet_turns_to_its_slots_and_gets_out():
     part, others = bayonet()
     path = sw.removal_path(part, others)
@@ -42,6 +43,7 @@ def test_a_bayonet_turns_to_its_slots_and_gets_out():
     assert not last.turns and last.way[2] > 0.5
 
 
+@pytest.mark.thorough
 def test_a_curved_tube_turns_about_the_axis_of_its_arc():
     """Which the contacts tell, and neither the tube's own axes nor its middle."""
     part, others = curved_tube()
@@ -70,6 +72,7 @@ def test_turning_the_assembly_turns_a_path_of_several_legs():
     assert np.allclose([leg.way for leg in elsewhere.legs], [matrix @ leg.way for leg in path.legs], atol=1e-6)
 
 
+@pytest.mark.thorough
 def test_what_must_stay_empty_holds_the_part_on_legs_that_turn():
     part, others = bayonet()
     path = sw.removal_path(part, others)

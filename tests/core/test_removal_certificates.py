@@ -69,6 +69,7 @@ CASES = [
 ]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("part", "others", "along", "angle"), CASES)
 def test_certificates_agree_with_dense_samples(part, others, along, angle):
     """A bound from below that is more than a fifth of the truth where there is a gap, and 0 where something is met."""

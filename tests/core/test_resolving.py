@@ -89,6 +89,7 @@ def test_figure_eight_has_the_volume_of_blenders_exact_boolean():
     assert genus(solid) == 2 and solid.dimensions().solids == 1
 
 
+@pytest.mark.thorough
 def test_spindle_has_its_closed_form_in_the_limit():
     """Of a disc of radius r about an axis R from its centre, z by z: what its outer and inner side bound."""
     z, step = np.linspace(-0.5, 0.5, 2_000_001, retstep=True)
@@ -372,6 +373,7 @@ def test_without_the_library_the_refusal_says_how_to_get_it(monkeypatch):
         SPINDLE.solid()
 
 
+@pytest.mark.thorough
 def test_progress_rises_and_what_it_raises_ends_the_work():
     told = []
     SPINDLE.solid(told.append)

@@ -26,6 +26,7 @@ REFUSED_HERE = {  # by what the refusal says, of programs that LinuxCNC runs, or
 READ_TO_THE_END = {"camotics_text.ngc"}  # whose last line is a % that no other goes with, which LinuxCNC minds
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("path", oracle.ORACLES, ids=lambda path: path.name.removesuffix(".canon.gz"))
 def test_a_real_program_makes_the_moves_of_linuxcnc_or_is_refused_by_name(path):
     told = oracle.Told(path)

@@ -209,6 +209,7 @@ def random_shape(seed):
     return GeneralizedCylinder(contours[seed % 6], path, Count(int(random.integers(48, 64))), **given)
 
 
+@pytest.mark.thorough
 def test_of_random_curves_the_verdict_is_that_of_all_pairs_of_triangles(draws):
     for seed in range(draws // 5):
         shape = random_shape(seed)

@@ -119,6 +119,7 @@ def test_a_block_shrinks_to_a_block():
     assert assert_valid(shell, euler=4).volume() == pytest.approx(whole, rel=1e-12)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", CONVEX)
 def test_a_level_set_around_a_convex_solid_has_steiners_volume_to_second_order(name):
     solid = CONVEX[name]
@@ -227,7 +228,7 @@ def random_solid(random):
 
 
 @pytest.mark.parametrize(
-    "count", [pytest.param(8, marks=pytest.mark.thorough), pytest.param(1000, marks=pytest.mark.large)]
+    "count", [pytest.param(5, marks=pytest.mark.thorough), pytest.param(1000, marks=pytest.mark.large)]
 )
 def test_random_offsets_are_valid(count):
     random = np.random.default_rng(20)
@@ -258,6 +259,7 @@ def test_refusals():
         offset(flipped, 0.1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["block", *HOLLOW])
 def test_a_radius_is_at_least_a_ten_millionth_of_the_size(name):
     solid = (CONVEX | HOLLOW)[name]
@@ -348,6 +350,7 @@ def test_a_solid_of_given_triangles_is_offset_too():
     assert_valid(offset(Triangles.of(HOLLOW["bracket"]).mesh(), 0.01))
 
 
+@pytest.mark.thorough
 def test_the_sides_of_an_offset_are_made_of_one_union(monkeypatch):
     asked, united = [], rounded_union.hulls_united
     monkeypatch.setattr(rounded_union, "KEPT", {})
@@ -362,6 +365,7 @@ def test_the_sides_of_an_offset_are_made_of_one_union(monkeypatch):
     assert len(asked) == 5
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("engine", [Engine.ROUNDED_FACES, Engine.LEVEL_SET])
 def test_progress_rises_step_by_step_and_what_it_raises_ends_the_work(engine):
     told = []

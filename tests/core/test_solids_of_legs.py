@@ -81,6 +81,7 @@ def cut_prisms(points, radius, p):
     return found
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("points", SHORT.values(), ids=SHORT)
 def test_legs_shorter_than_their_mitres_are_what_both_mitres_leave(points):
     rod = sw.GeneralizedCylinder(sw.contours.Circle(0.1, points=128), sw.trajectories.Polyline(points))

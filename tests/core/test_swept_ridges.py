@@ -101,6 +101,7 @@ def swept(name):
     return mesh, np.ptp(mesh.vertices, axis=0).max() / SWEEPS[name][0].cells
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", NAMES)
 def test_vertices_are_on_the_boundary_of_what_is_visited(name):
     """To a fourteenth of a cell each, to six thousandths as a rule."""

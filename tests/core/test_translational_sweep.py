@@ -269,6 +269,7 @@ def test_fit_is_that_of_the_contour(fit):
     assert disc == pytest.approx(2 * pi, **CLOSE) if fit == "area-true" else disc > 2 * pi
 
 
+@pytest.mark.thorough
 def test_random_prisms_are_solids(draws):
     """Of each island with h holes a body of genus h. The draft is up to the largest, either way."""
     random = np.random.default_rng(5)

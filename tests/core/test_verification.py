@@ -91,6 +91,7 @@ def test_places_on_walls_are_as_deep_as_the_floor_beside_them(raised, needs_mani
     assert np.abs(slot_beside_its_part(0.0).deviation).max() < 1e-12
 
 
+@pytest.mark.thorough
 def test_what_is_cut_by_more_than_the_allowance_is_wrong_and_by_less_is_not(needs_manifold3d):
     more, less = slot_beside_its_part(2.1e-5), slot_beside_its_part(1.9e-5)
     assert not more.correct and more.gouge == pytest.approx(2.1e-5) and set(more.gouging) == {2, 3}
@@ -204,6 +205,7 @@ def test_the_part_of_the_shape_itself_is_told_and_kept_at_each_vertex():
     assert np.hypot(*(mesh.vertices[deviation < -1e-4, :2] - (0.009, -0.012)).T).max() < 0.0031
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["fabex_MedialPocket.gcode", "camotics_wave.gcode"])
 def test_a_real_program_with_one_lowered_line_is_found_by_that_line(name):
     lines = gzip.open(PROGRAMS / f"{name}.gz", "rt").read().splitlines()
