@@ -80,6 +80,14 @@ def test_a_short_edge_that_closes_a_small_path_of_a_large_drawing_is_one():
     assert [len(loop) for loop in from_svg(text).loops] == [4, 5]
 
 
+@pytest.mark.parametrize("first", range(4))
+def test_a_hairline_is_as_wide_whichever_side_closes_it(first):
+    """Its short sides are no longer than gaps that rounding leaves in so large a drawing."""
+    corners = np.roll([(0, 0), (100, 0), (100, 0.01), (0, 0.01)], first, axis=0)
+    text = svg(f'<path d="M{" ".join(map(str, corners.ravel()))}z"/>')
+    assert from_svg(text).section().area == pytest.approx(1.0, rel=2e-3)  # of places in single precision
+
+
 def test_percentages_are_of_the_drawings_own_size():
     assert from_svg(svg('<rect width="100%" height="50%"/>', 'viewBox="0 0 10 10"')).section().area == pytest.approx(50)
 

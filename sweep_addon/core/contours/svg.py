@@ -15,7 +15,8 @@ from .flatten import cubics_from_lines, cubics_from_quadratics
 from .reading import argument, library, outline
 from .svg_document import LARGEST, tree
 
-ROUNDED = 1.25e-4, 1e-3  # of a drawing and of a path: gaps that three decimals leave in one of 16 units, and at most
+ROUNDED = 1.25e-4  # of a drawing: gaps that three decimals leave in one of 16 units
+SMALL = 1e-3, 1e-2  # of a path and of its width: a wider gap may be a side of it
 ARC = np.pi / 6  # the part of an ellipse for one cubic, which misses it by 4e-7 of its radius
 
 
@@ -136,12 +137,12 @@ def led_back(paths):
     >>> square[:, 0].tolist(), square[-1, 3].tolist()
     ([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], [0.0, 0.0])
     """
-    of_drawing, of_path = ROUNDED
-    most = of_drawing * size(np.concatenate(paths))
+    of_path, of_width = SMALL
+    most = ROUNDED * size(np.concatenate(paths))
     found = []
     for path in paths:
         gap = float(np.hypot(*(path[-1, 3] - path[-1, 0])))
-        if len(path) > 3 and gap <= min(most, of_path * size(path)):
+        if len(path) > 3 and gap <= min(most, of_path * size(path), of_width * width(path)):
             path = path[:-1].copy()
             path[-1, 3] = path[0, 0]
         found.append(path)
@@ -151,6 +152,12 @@ def led_back(paths):
 def size(path):
     """The diagonal of the box round where the segments of a path start."""
     return float(np.hypot(*np.ptp(path[:, 0], axis=0)))
+
+
+def width(path):
+    """How wide a path is that goes round a long area: about its area over its size."""
+    x, y = (path[:, :3].reshape(-1, 2) - path[0, 0]).T
+    return float(abs(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2 / (size(path) or 1.0)
 
 
 def cubics_of(svgelements, segment):
