@@ -90,3 +90,11 @@ def test_solids_of_twisted_bars_are_as_thick_as_these(twist):
     mesh = bar(twist).mesh()
     expected = between(twist, mesh.rings - 1)
     assert Triangles.of(mesh).mesh().volume() == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.thorough
+def test_faces_that_may_be_cut_in_two_but_not_in_four_are_cut_in_two():
+    """A solid of triangles has at most a million: of as many bent faces as these it was refused."""
+    mesh = bar(900.0, RegularPolygon(sides=100), samples=sw.sampling.Count(2601)).mesh()
+    of_sides, of_caps = 2 * 100 * 2600, 2 * 98
+    assert len(Triangles.of(mesh).faces) == of_sides + of_caps

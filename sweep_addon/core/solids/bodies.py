@@ -196,8 +196,12 @@ class Triangles(Operand):
 
     @classmethod
     def of(cls, mesh):
-        """The triangles of a `Mesh`, its larger faces cut into several, bent ones of four corners into four."""
-        return cls(*bent_facets(mesh))
+        """The triangles of a `Mesh`, its larger faces cut into several, bent ones of four corners into four.
+
+        Where these would be too many they are cut into two, as `Mesh.triangles` are.
+        """
+        vertices, faces = bent_facets(mesh)
+        return cls(vertices, faces) if len(faces) <= MOST else cls(mesh.vertices, mesh.triangles)
 
     def scaled(self, factor):
         """The triangles made larger or smaller about the origin."""
