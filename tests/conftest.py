@@ -37,8 +37,8 @@ BRIEF = os.environ.get("SWEEP_BRIEF") == "1" and not FULL
 LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)")
 FAST = os.environ.get("SWEEP_FAST") == "1"
 SLOW = pytest.mark.skip(reason="slow: runs without SWEEP_FAST=1 (scripts/test --fast)")
-CORE = CHECKOUT / "tests" / "core"
-IN_THE_CHECKOUT = pytest.mark.skip(reason="core: runs in the same Blender with the checkout, or with SWEEP_FULL=1")
+CORE, LAUNCHER = CHECKOUT / "tests" / "core", CHECKOUT / "tests" / "test_launcher.py"
+IN_THE_CHECKOUT = pytest.mark.skip(reason="runs in the same Blender with the checkout, or with SWEEP_FULL=1")
 KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
 THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python, or with SWEEP_FULL=1")
 
@@ -172,10 +172,10 @@ def is_installed(config):
 
 
 def left_to_the_checkout(items):
-    """The items of the core that the same Blender runs in the checkout: all but one in ten of each file."""
+    """What the same Blender runs in the checkout: its launcher, and nine in ten tests of each file of the core."""
     number = defaultdict(itertools.count)
     for item in items:
-        if CORE in item.path.parents and next(number[item.path]) % KEPT:
+        if item.path == LAUNCHER or CORE in item.path.parents and next(number[item.path]) % KEPT:
             yield item
 
 

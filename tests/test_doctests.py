@@ -15,11 +15,13 @@ import sweep_addon
 CHECKOUT = Path(__file__).resolve().parents[1]
 FILES = sorted(file.relative_to(CHECKOUT).with_suffix("") for file in CHECKOUT.glob("sweep_addon/**/*.py"))
 NAMES = [".".join(file.parts).removesuffix(".__init__") for file in FILES if file.name != "__main__"]
+CORE = "sweep_addon.core"
+CASES = [pytest.param(name, marks=pytest.mark.thorough if name.startswith(CORE) else ()) for name in NAMES]
 BLENDERS = {"bpy", "bpy_extras", "bmesh", "mathutils"}
 
 
 @pytest.mark.skipif(np.lib.NumpyVersion(np.__version__) < "2.0.0", reason="NumPy 1 prints its numbers differently")
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", CASES)
 def test_examples_hold(name):
     try:
         # By its own name: by another it would be loaded once more, and hide a function of its package named as it is.
