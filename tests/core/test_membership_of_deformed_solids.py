@@ -17,7 +17,6 @@ def box(points, low, high):
     return np.maximum(np.array(low) - points, points - np.array(high)).max(axis=1)
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_sheared_block_moves_as_a_parallelepiped(tolerance):
     """Sheared by x + 0.6 z, and moved along x: unsheared it is a longer block."""
@@ -62,7 +61,6 @@ def test_a_twisted_bar_moved_across_is_at_each_height_a_turned_rectangle_moved(t
     assert (sw.classify(sweep, points, tolerance) == np.where(visited, 1, -1))[clear].all()
 
 
-@pytest.mark.thorough
 def test_a_ball_that_is_bent_stays_round_across():
     """Moved aside by x + 0.3 sin z the slices of a ball stay discs."""
     sweep = sw.GeneralSweep(sw.solids.Ball(0.5), sw.trajectories.Line(end=(0, 1, 0)), deform_x="x + 0.3*sin(4*z)")
