@@ -12,6 +12,7 @@ from contextlib import suppress
 from importlib.util import cache_from_source
 from pathlib import Path
 
+from ..core import BEGAN
 from ..core.later import later
 
 made = later("bridge.table", "table")
@@ -40,13 +41,19 @@ def read():
 
 
 def keep(table):
-    """Write it for the next time, as Python does with what it compiles; a place that cannot be written is left."""
+    """Write it for the next time, as Python does with what it compiles; a place that cannot be written is left.
+
+    Where a source was written since the library was first imported, the table may be of what that was before.
+    """
     if sys.dont_write_bytecode:
         return
     part = FILE.with_suffix(f".{os.getpid()}")
     try:
+        made_from = stamps(sources())
+        if max(time for time, _ in made_from.values()) >= BEGAN:
+            return
         FILE.parent.mkdir(parents=True, exist_ok=True)
-        part.write_text(json.dumps({"sources": stamps(sources()), "table": table}), encoding="utf-8")
+        part.write_text(json.dumps({"sources": made_from, "table": table}), encoding="utf-8")
         os.replace(part, FILE)
     except OSError:
         with suppress(OSError):

@@ -83,23 +83,41 @@ def test_nothing_is_written_where_python_is_to_write_nothing(file, monkeypatch):
     assert not file.parent.exists()
 
 
-def registered(folder):
-    """What a Blender just started tells of registering a library: what it imported for it, and what that says."""
+def registered(folder, before=""):
+    """What a Blender just started tells of registering a library: what it imported for it, and what that says.
+
+    It may do something else before.
+    """
     variables = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     if bpy.app.binary_path:
         command = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python-expr"]
-        command.append(f"import sys; sys.path.insert(0, {str(folder)!r}); {REGISTERED}")
+        command.append(f"import sys; sys.path.insert(0, {str(folder)!r})\n{before}{REGISTERED}")
     else:
-        command = [sys.executable, "-c", REGISTERED]
+        command = [sys.executable, "-c", before + REGISTERED]
     done = subprocess.run(command, cwd=folder, env=variables, capture_output=True, text=True, timeout=120)
     told = [line.removeprefix("told: ") for line in done.stdout.splitlines() if line.startswith("told: ")]
     assert len(told) == 2, done.stderr
     return told
 
 
-def test_starting_again_imports_no_shapes_until_one_of_them_changes(tmp_path):
+def copied(folder):
+    """The library in a folder, as it is before anybody imports it."""
     ignore = shutil.ignore_patterns("__pycache__")
-    shutil.copytree(Path(kept.__file__).parents[1], tmp_path / "sweep_addon", ignore=ignore)
+    shutil.copytree(Path(kept.__file__).parents[1], folder / "sweep_addon", ignore=ignore)
+
+
+def test_a_table_of_shapes_that_changed_since_they_were_imported_is_not_kept(tmp_path):
+    copied(tmp_path)
+    source = tmp_path / "sweep_addon/core/contours/ovals.py"
+    text = source.read_text(encoding="utf-8").replace("Distance of the points", "How far the points are")
+    pulled = f"open({str(source)!r}, 'w', encoding='utf-8').write({text!r})"
+    old = registered(tmp_path, f"import sweep_addon\nsweep_addon.TranslationalSweep\n{pulled}\n")[1]
+    assert old.startswith("Distance of the points")
+    assert registered(tmp_path)[1].startswith("How far the points are")
+
+
+def test_starting_again_imports_no_shapes_until_one_of_them_changes(tmp_path):
+    copied(tmp_path)
     first, words = registered(tmp_path)
     assert "True" in first
     count, *others = registered(tmp_path)[0].split()

@@ -97,7 +97,7 @@ def registering():
 
 
 AT_ONCE = {"bridge", "core"}
-LIGHT = {"core.later", "core.declared.names", "core.declared.refusals"}
+LIGHT = {"core", "core.later", "core.declared.names", "core.declared.refusals"}
 LOADED_LATER = {"csg_tree", "frame_lines", "l_system", "machining", "written"}  # panels, when they are drawn
 
 
