@@ -132,6 +132,8 @@ def __getattr__(name):
         return import_module(SPACES[name], __package__)
     if name == "__version__":
         return import_module(".core.version", __package__).version()
+    if name.startswith("__"):  # tools ask for many
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name not in NAMES:
         found = [f"{space}.{name}" for space in SPACES if name in dir(import_module(SPACES[space], __package__))]
         where = f": it is {' or '.join(found)}" if found else ""

@@ -36,7 +36,7 @@ def read():
         with open(FILE, encoding="utf-8") as file:
             held = json.load(file)
         return held["table"] if held["sources"] == stamps(held["sources"]) else None
-    except (OSError, ValueError, TypeError, KeyError):  # whatever became of the file, it can be made again
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):  # whatever it became, it can be made again
         return None
 
 

@@ -63,7 +63,10 @@ def test_one_of_other_sources_is_not_read(file, change):
     assert kept.table() == table() == kept.read()
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"sources": {}}', '{"sources": [1], "table": {}}', "\0", "1"])
+SPOILT = ("", "{", "[]", "{}", '{"sources": {}}', '{"sources": [1], "table": {}}', "\0", "1", "[" * 100_000)
+
+
+@pytest.mark.parametrize("text", SPOILT, ids=range(len(SPOILT)))
 def test_one_that_was_spoilt_is_made_anew(file, text):
     file.parent.mkdir()
     file.write_text(text, encoding="utf-8")

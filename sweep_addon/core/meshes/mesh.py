@@ -196,7 +196,7 @@ class Mesh:
         """The same mesh of triangles alone, bent faces of four corners cut in four about their middle: a `Mesh`.
 
         For files of formats that know no other faces: it holds what this mesh does and is as closed as it is. It has
-        its material slots, but no texture coordinates and no attributes.
+        its material slots, but no texture coordinates and no attributes, and no edges beside its faces.
 
         Examples
         --------
