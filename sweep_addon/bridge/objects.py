@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes as objects of a Blender scene, and back."""
 
+from contextvars import ContextVar
+
 import bpy
 from mathutils import Matrix
 
@@ -27,6 +29,7 @@ SHAPE = {spelled(shape, "_").upper(): shape for shape in SHAPES}
 GROWN = spelled(Plant, "_").upper()
 MILLED = spelled(MachinedStock, "_").upper()
 WRITTEN = {GROWN: "system", MILLED: "program"}  # the parameter that is a text, which people may edit
+GOES_ON = ContextVar("goes_on", default=False)  # whether a script does, once a mesh is made: it is not to be empty
 
 
 def new_mesh(shape, name=None, **objects):
@@ -108,7 +111,11 @@ def to_object(shape, name=None, **objects):
     require_standing(type(shape), objects)
     if isinstance(shape, Operand) and not isinstance(shape, SHAPES):
         return grove.to_object(shape, name)
-    mesh = new_mesh(shape, name, **objects)
+    token = GOES_ON.set(True)
+    try:
+        mesh = new_mesh(shape, name, **objects)
+    finally:
+        GOES_ON.reset(token)
     ob = bpy.data.objects.new(mesh.name, mesh)
     bpy.context.scene.collection.objects.link(ob)
     if carrier(type(shape)) in objects:

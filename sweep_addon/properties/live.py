@@ -45,6 +45,8 @@ def rebuild(mesh, depsgraph=None):
             return
         room = meshes.room_for_places(mesh) if len(shapes) == 1 else None
         made = [(surface if later else mesh_of)(shape, room) for shape in shapes]
+        if None in made and objects.GOES_ON.get():
+            made, later = list(map(mesh_of, shapes)), False
     except ShapeError as error:
         set_if_other(sweep, "error", str(error))
         return

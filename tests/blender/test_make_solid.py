@@ -3,6 +3,7 @@
 """Solids in Blender: an option of the shape that stays live; with a window, made while the surface stands."""
 
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -106,11 +107,26 @@ def test_esc_leaves_the_surface_and_says_so(scene, window):
     assert not finding.is_due(ob.data)
 
 
-def test_a_roof_of_many_points_is_made_while_the_last_mesh_stands(scene, window):
+def wavy():
+    """An outline of more points than a roof is made of while somebody waits."""
     turns = 2 * np.pi * np.arange(1100) / 1100
     radius = 1 + 0.1 * np.sin(40 * turns)
-    outline = Outline([np.stack((radius * np.cos(turns), radius * np.sin(turns)), axis=1)])
-    ob = sw.to_object(sw.TranslationalSweep(outline, height=0.2))
+    return Outline([np.stack((radius * np.cos(turns), radius * np.sin(turns)), axis=1)])
+
+
+def test_a_roof_that_a_script_makes_is_there_when_it_goes_on(scene, window):
+    """Nothing of it could be seen at once: an empty mesh would be exported, and a refusal be told to nobody."""
+    shape = sw.TranslationalSweep(wavy(), height=0.2, taper=0.4)
+    ob = sw.to_object(shape)
+    assert not ob.data.sweep.solid and len(ob.data.vertices) == len(shape.mesh().vertices) > 1100
+    known = set(bpy.data.meshes)
+    with pytest.raises(sw.ShapeError, match="taper"):
+        sw.to_object(replace(shape, taper=1.5))
+    assert set(bpy.data.meshes) == known
+
+
+def test_a_roof_of_many_points_is_made_while_the_last_mesh_stands(scene, window):
+    ob = sw.to_object(sw.TranslationalSweep(wavy(), height=0.2))
     assert len(ob.data.vertices) == 2 * 1100 and not ob.data.sweep.solid
     ob.data.sweep.translational_sweep.taper = 0.5
     assert len(ob.data.vertices) == 2 * 1100 and ob.data.sweep.solid == live.AWAITED
