@@ -12,6 +12,7 @@ Plain Python needs NumPy alone; inside Blender ``to_object`` makes a shape a liv
 
 import sys
 from importlib.util import find_spec
+from typing import TYPE_CHECKING
 
 if not find_spec("numpy"):
     NEEDED = f"Sweep needs NumPy, which {sys.executable} has not: pip install numpy, in a virtual environment of it."
@@ -19,54 +20,33 @@ if not find_spec("numpy"):
         sys.exit(NEEDED)
     raise ModuleNotFoundError(NEEDED, name="numpy")
 
-__all__ = [
-    "CanalSurface",
-    "Curves",
-    "Edges",
-    "GeneralSweep",
-    "GeneralizedCylinder",
-    "GrammarError",
-    "LSystem",
-    "MachinedStock",
-    "Mesh",
-    "OffsetSurface",
-    "PDCurve",
-    "PDCurveSweep",
-    "Placed",
-    "Plant",
-    "RigidMotion",
-    "Rotation",
-    "RotationalSweep",
-    "ShapeError",
-    "SweptContour",
-    "SweptSolid",
-    "Translation",
-    "TranslationalSweep",
-    "Tree",
-    "Tubes",
-    "classify",
-    "contours",
-    "corners",
-    "directions",
-    "disassembly",
-    "dump",
-    "ends",
-    "frames",
-    "inverse_sweep",
-    "laws",
-    "limits",
-    "load",
-    "machining",
-    "presets",
-    "reach",
-    "removal_path",
-    "sampling",
-    "solids",
-    "sweep_to_csg",
-    "trajectories",
-]
-if find_spec("bpy"):  # else `import *` would ask for what plain Python does not have
-    __all__ += ["from_object", "to_object"]
+if TYPE_CHECKING:  # for editors, which complete names and run nothing
+    from . import presets
+    from .batch.job import load
+    from .bridge.objects import from_object, to_object
+    from .core import contours, machining, solids, trajectories
+    from .core.conversion import sweep_to_csg
+    from .core.csg import Placed, RigidMotion, Rotation, SweptContour, SweptSolid, Translation, Tree
+    from .core.declared.forms import dump
+    from .core.declared.refusals import ShapeError
+    from .core.envelopes.reach import reach
+    from .core.grammars import GrammarError, LSystem
+    from .core.membership import classify, inverse_sweep
+    from .core.meshes.mesh import Mesh
+    from .core.removal import disassembly, removal_path
+    from .core.rings import corners, ends, limits
+    from .core.shapes.canal_surface import CanalSurface
+    from .core.shapes.general_sweep import GeneralSweep
+    from .core.shapes.generalized_cylinder import GeneralizedCylinder
+    from .core.shapes.machined_stock import MachinedStock
+    from .core.shapes.offset_surface import OffsetSurface
+    from .core.shapes.pd_curve_sweep import PDCurveSweep
+    from .core.shapes.plant import Curves, Edges, Plant, Tubes
+    from .core.shapes.rotational_sweep import RotationalSweep
+    from .core.shapes.translational_sweep import TranslationalSweep
+    from .core.stations import directions, frames, sampling
+    from .core.stations.pd_curve import PDCurve
+    from .core.variation import laws
 
 # Loaded when they are asked for, as most scripts need few of them, and starting Blender none.
 SPACES = {
@@ -119,6 +99,8 @@ NAMES = {
     "sweep_to_csg": ".core.conversion",
     "to_object": ".bridge.objects",
 }
+IN_BLENDER = {"from_object", "to_object"}
+__all__ = sorted({*SPACES, *NAMES} - (set() if find_spec("bpy") else IN_BLENDER))  # `import *` asks for all of them
 
 
 def __dir__():

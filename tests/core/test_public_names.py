@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The namespaces of the library offer their kinds, and nothing of what these are made with."""
 
+import ast
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -62,6 +63,16 @@ def test_every_kind_that_a_copy_as_python_may_name_is_public():
 def test_the_library_offers_its_public_names_alone():
     assert sorted(dir(sw)) == sorted(sw.__all__)
     assert sw.presets.shape("spring") == sw.load(sw.presets.FOLDER / "spring.toml")
+
+
+def test_editors_are_told_where_every_public_name_is():
+    front = ast.parse(Path(sw.__file__).read_text(encoding="utf-8"))
+    (told,) = (node for node in front.body if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
+    places = {alias.name: node.module for node in told.body for alias in node.names}
+    assert set(places) == {*sw.__all__, "from_object", "to_object"}
+    assert {name: module for name, module in places.items() if name not in sw.SPACES} == {
+        name: module.removeprefix(".") for name, module in sw.NAMES.items()
+    }
 
 
 @pytest.mark.skipif(bool(find_spec("bpy")), reason="is about Python without Blender")
