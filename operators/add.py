@@ -49,7 +49,12 @@ class AddShape(AddObject):
 
 def idname(shape):
     """How Blender names the operator that adds a shape."""
-    return f"mesh.{spelled(shape, '_')}_add"
+    return named(spelled(shape, "_"))
+
+
+def named(shape):
+    """The same, of the shape of a name."""
+    return f"mesh.{shape}_add"
 
 
 def add_operator(shape):
@@ -58,7 +63,7 @@ def add_operator(shape):
     members = {
         "__doc__": shape["doc"],
         "__annotations__": annotations(shape["properties"]),  # shared with the mesh's own
-        "bl_idname": f"mesh.{name}_add",
+        "bl_idname": named(name),
         "bl_label": shape["title"],
         "shape": name.upper(),
     }

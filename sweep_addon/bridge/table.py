@@ -36,8 +36,8 @@ def table():
     dict
         Of numbers, texts, lists and tables alone. ``properties``: those of all groups and operators, each once: its
         maker in ``bpy.props`` and what that is told. ``groups`` and ``shapes``: names, docs, and the numbers of their
-        properties by name, a group after those that it refers to. ``kinds`` and ``along_curves``: the items of enums.
-        ``version``: of the parameters.
+        properties by name, a group after those that it refers to; of a shape the name of its group too. ``kinds`` and
+        ``along_curves``: the items of enums. ``version``: of the parameters.
     """
     numbers = {}
     items = {p.item: None for shape in SHAPES for p in parameters(shape) if p.item}
@@ -49,6 +49,7 @@ def table():
     shapes = [
         {
             "name": spelled(shape, "_"),
+            "group": group_name(shape),
             "title": titled(shape),
             "doc": summary(shape),
             "properties": numbered(annotations(shape), numbers),

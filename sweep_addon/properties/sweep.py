@@ -55,7 +55,7 @@ for group in TABLE["groups"]:
 
 
 def of_shape(shape):
-    return bpy.props.PointerProperty(type=GROUPS[f"SWEEP_PG_{shape['name']}"], override=LOCAL)
+    return bpy.props.PointerProperty(type=GROUPS[shape["group"]], override=LOCAL)
 
 
 def hidden(maker, **keywords):
