@@ -90,18 +90,26 @@ def sweeps():
 
 def touched(updates):
     """The sweeps that were updated themselves, or whose input objects were."""
-    meshes = {update.id.original for update in updates if isinstance(update.id, bpy.types.Mesh)}
-    return {mesh for mesh in meshes if mesh.sweep.kind != "NONE"} | users_of(changed_inputs(updates))
+    updated = [update.id for update in updates]
+    meshes = {each.original for each in updated if isinstance(each, bpy.types.Mesh)}
+    return {mesh for mesh in meshes if mesh.sweep.kind != "NONE"} | users_of(changed_inputs(updated))
 
 
-def changed_inputs(updates):
+def changed_inputs(updated):
     """The original objects that may be inputs among the updated data, and the empties whose children they are."""
-    found = {
-        update.id.original for update in updates if isinstance(update.id, bpy.types.Object) and update.id.type in INPUTS
-    }
+    found = {each.original for each in updated if isinstance(each, bpy.types.Object) and each.type in INPUTS}
     parents = (ob.parent for ob in found if ob.type == "EMPTY" and ob.parent)
     found |= {ob for ob in parents if ob.type == "EMPTY"}
-    return {ob for ob in found if ob.users > len(ob.users_collection)}  # the others are only in collections
+    return set(filter(is_used, found))
+
+
+def is_used(ob):
+    """Whether anything but collections uses an object: to list these takes as long as they have objects.
+
+    The one user of what is to be seen is a collection.
+    """
+    alone = ob.users == 1 and ob.visible_get()
+    return not alone and ob.users > len(ob.users_collection)
 
 
 def users_of(changed):
