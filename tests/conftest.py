@@ -9,9 +9,9 @@ library inside the extension, so that no module exists twice. Blender's user fol
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
 A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
 and hypothesis examples. ``SWEEP_BRIEF=1`` says that other hosts do the same at length: then fewer are drawn,
-and tests marked `thorough` are skipped, but for one in ten of those that have so many cases; of tests of the core the
-installed zip runs one in ten of each file, to show that nothing is missing: the same Blender has run all in the
-checkout. ``SWEEP_FAST=1`` leaves out those that slow.txt names, as `scripts/slow_tests` has measured them.
+and tests marked `thorough` are skipped, but for one in ten of those that have so many cases; of what another host runs
+with the same NumPy or in the same Blender, the bpy wheel and the installed zip run one in ten tests of each file.
+``SWEEP_FAST=1`` leaves out those that slow.txt names, as `scripts/slow_tests` has measured them.
 """
 
 import atexit
@@ -37,8 +37,9 @@ BRIEF = os.environ.get("SWEEP_BRIEF") == "1" and not FULL
 LARGE = pytest.mark.skip(reason="large: runs with SWEEP_FULL=1 (scripts/test --full)")
 FAST = os.environ.get("SWEEP_FAST") == "1"
 SLOW = pytest.mark.skip(reason="slow: runs without SWEEP_FAST=1 (scripts/test --fast)")
-CORE, LAUNCHER = CHECKOUT / "tests" / "core", CHECKOUT / "tests" / "test_launcher.py"
-IN_THE_CHECKOUT = pytest.mark.skip(reason="runs in the same Blender with the checkout, or with SWEEP_FULL=1")
+TESTS = CHECKOUT / "tests"
+CORE, BLENDER, LAUNCHER = TESTS / "core", TESTS / "blender", TESTS / "test_launcher.py"
+ELSEWHERE = pytest.mark.skip(reason="runs in another host with the same NumPy or Blender, or with SWEEP_FULL=1")
 KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
 THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python, or with SWEEP_FULL=1")
 
@@ -161,9 +162,8 @@ def pytest_collection_modifyitems(config, items):
     if BRIEF:
         for item in left_to_others([item for item in items if item.get_closest_marker("thorough")]):
             item.add_marker(THOROUGH)
-        if is_installed(config):
-            for item in left_to_the_checkout(items):
-                item.add_marker(IN_THE_CHECKOUT)
+        for item in run_elsewhere(items, folders_run_elsewhere(config)):
+            item.add_marker(ELSEWHERE)
 
 
 def is_installed(config):
@@ -171,11 +171,25 @@ def is_installed(config):
     return hasattr(config, "sweep_place") and not config.sweep_place.is_symlink()
 
 
-def left_to_the_checkout(items):
-    """What the same Blender runs in the checkout: its launcher, and nine in ten tests of each file of the core."""
+def folders_run_elsewhere(config):
+    """The tests of which this host shows only that they run here too.
+
+    NumPy alone has the NumPy of the bpy wheel; the Blender of the installed zip runs the checkout and its launcher too.
+    """
+    if not hasattr(config, "sweep_place"):
+        return ()
+    import bpy
+
+    if is_installed(config):
+        return CORE, BLENDER, LAUNCHER
+    return () if bpy.app.binary_path else (CORE,)
+
+
+def run_elsewhere(items, folders):
+    """Of tests in some folders nine in ten of each file, and all of one that is named itself."""
     number = defaultdict(itertools.count)
     for item in items:
-        if item.path == LAUNCHER or CORE in item.path.parents and next(number[item.path]) % KEPT:
+        if item.path in folders or not set(folders).isdisjoint(item.path.parents) and next(number[item.path]) % KEPT:
             yield item
 
 

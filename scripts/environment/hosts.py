@@ -74,7 +74,7 @@ def plain(arguments):
 
 
 def numpy(arguments):
-    """plain Python with NumPy and nothing else."""
+    """plain Python with the oldest NumPy and nothing else."""
     brief = {} if arguments else BRIEF
     return suite("numpy", venvs.made(venvs.NUMPY), *(arguments or ["tests/core"]), environment=brief)
 
