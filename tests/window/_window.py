@@ -133,6 +133,7 @@ def run(session):
 
     sys.excepthook = hook
     bpy.context.preferences.view.show_splash = False
+    bpy.context.preferences.system.viewport_aa = "OFF"  # it is drawn many times over to look smoother
     person = Person()
     steps = session(person)
 
