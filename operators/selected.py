@@ -26,7 +26,7 @@ class OBJECT_OT_sweep_selected(Operator):
     shape: EnumProperty(
         name="Shape",
         description="What becomes of the selected objects",
-        items=list(map(tuple, TABLE["along_curves"])),
+        items=TABLE["along_curves"],
         default="GENERALIZED_CYLINDER",
     )
     swap: BoolProperty(name="Swap", description="Let the active curve be the trajectory and the other the contour")

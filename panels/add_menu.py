@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The menu of what can be added, in Add > Mesh and in the sidebar, and the line in Object > Convert."""
 
+import os
 from functools import cache
-from pathlib import Path
 
 from bpy.types import Menu
 
@@ -14,8 +14,8 @@ from . import previews
 
 kinds, presets = later("core.shapes.kinds"), later("presets")
 
-FOLDER = Path(__file__).parents[1] / "sweep_addon" / "presets"  # what its folders hold is read when a menu is drawn
-GROUPS = sorted({path.name for path in FOLDER.iterdir() if path.is_dir()} - {"l_system", "__pycache__"})
+FOLDER = os.path.join(os.path.dirname(__file__), "..", "sweep_addon", "presets")  # read when a menu is drawn
+GROUPS = sorted({entry.name for entry in os.scandir(FOLDER) if entry.is_dir()} - {"l_system", "__pycache__"})
 ROWS = 20  # presets one below the other: all are in sight on a screen of 900 pixels
 
 

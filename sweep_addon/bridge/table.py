@@ -21,8 +21,8 @@ from ..core.shapes.kinds import SHAPES, SWEPT
 UNITS = {None: "NONE", "length": "LENGTH", "angle": "ROTATION"}
 WIDEST = (3.4028234663852886e38, 2**31 - 1)  # of a float32, and of an int32
 LIMITS = {"min", "max", "soft_min", "soft_max"}
-LOCAL = ["LIBRARY_OVERRIDABLE"]
-OBJECT = ["OBJECT", "Object", "An object of the scene", 0]
+LOCAL = {"LIBRARY_OVERRIDABLE"}
+OBJECT = ("OBJECT", "Object", "An object of the scene", 0)
 SMALLEST = 1e-6  # where a slider stops that must be more than 0; what is typed and scripts may go below
 VALUES = "SWEEP_PG_values"
 NAMED = "Numbers whose names a text gives, each a property of the group that only it has"
@@ -34,16 +34,16 @@ def table():
     Returns
     -------
     dict
-        Of numbers, texts, lists and tables alone. ``properties``: those of all groups and operators, each once: its
+        Of what `marshal` can write. ``properties``: those of all groups and operators, each once: its
         maker in ``bpy.props`` and what that is told. ``groups`` and ``shapes``: names, docs, and the numbers of their
         properties by name, a group after those that it refers to; of a shape the name of its group too. ``kinds`` and
         ``along_curves``: the items of enums. ``version``: of the parameters.
     """
-    numbers = {}
+    made = {}
     items = {p.item: None for shape in SHAPES for p in parameters(shape) if p.item}
     groups = [{"name": VALUES, "doc": NAMED, "properties": {}}]
     groups += [
-        {"name": group_name(kind), "doc": summary(kind), "properties": numbered(annotations(kind, True), numbers)}
+        {"name": group_name(kind), "doc": summary(kind), "properties": numbered(annotations(kind, True), made)}
         for kind in (*items, *SHAPES)
     ]
     shapes = [
@@ -52,13 +52,13 @@ def table():
             "group": group_name(shape),
             "title": titled(shape),
             "doc": summary(shape),
-            "properties": numbered(annotations(shape), numbers),
+            "properties": numbered(annotations(shape), made),
         }
         for shape in SHAPES
     ]
     return {
         "version": VERSION,
-        "properties": list(map(json.loads, numbers)),
+        "properties": [told for _, told in made.values()],
         "groups": groups,
         "shapes": shapes,
         "kinds": items_of(SHAPES),
@@ -66,9 +66,9 @@ def table():
     }
 
 
-def numbered(properties, numbers):
+def numbered(properties, made):
     """Properties as the numbers of equal ones, most of which are another shape's too."""
-    return {name: numbers.setdefault(json.dumps(made), len(numbers)) for name, made in properties.items()}
+    return {name: made.setdefault(repr(told), (len(made), told))[0] for name, told in properties.items()}
 
 
 def is_along_curve(shape):
@@ -86,7 +86,7 @@ def annotations(kind, pointers=False):
     for p in parameters(kind):
         if p.item:
             if pointers:
-                told_of = told(p) | {"override": [*LOCAL, "USE_INSERTION"]}
+                told_of = told(p) | {"override": LOCAL | {"USE_INSERTION"}}
                 made[p.name] = "CollectionProperty", {"type": group_name(p.item), **told_of}
         elif pointers and p.type in ASIDE:
             made |= held_aside(p)
@@ -121,7 +121,7 @@ def held_aside(p):
     text = {"type": "Text", "update": True, **told(p)}
     made = {p.name: define(p), f"{p.name}_text": ("PointerProperty", text)}
     if p.type is Grammar:
-        told_of = {"options": ["HIDDEN"], "name": "Understood", "description": "The last text without a mistake"}
+        told_of = {"options": {"HIDDEN"}, "name": "Understood", "description": "The last text without a mistake"}
         made[f"{p.name}_understood"] = "StringProperty", told_of
     return made
 
@@ -135,11 +135,11 @@ def define(p, *more):
     """The property of one parameter, whatever its name is where it is used; of a choice with more items."""
     common = {**told(p), "default": stored(p, p.shown if p.default is None else p.default), "update": True}
     if p.type in ASIDE:
-        return "StringProperty", {"options": ["HIDDEN"], **common}
+        return "StringProperty", {"options": {"HIDDEN"}, **common}
     if p.type is bool:
         return "BoolProperty", common
     if p.type is str or p.is_list:
-        return "StringProperty", {"options": ["HIDDEN" if p.is_list else "ANIMATABLE"], **common}
+        return "StringProperty", {"options": {"HIDDEN" if p.is_list else "ANIMATABLE"}, **common}
     if p.type is float or p.type is int or isinstance(p.default, tuple):
         return number(p, common)
     return "EnumProperty", {"items": [*items_of(p.kinds or p.type), *more], **common}
@@ -176,7 +176,7 @@ def items_of(choices):
 def item(choice):
     """An enum's item."""
     name, doc = spelled(choice, "_"), choice.value if isinstance(choice, Enum) else summary(choice)
-    return [name.upper(), titled(choice), doc, number_of(name)]
+    return name.upper(), titled(choice), doc, number_of(name)
 
 
 def label(p):
@@ -189,4 +189,6 @@ def stored(p, value):
         return spelled(type(value), "_").upper()
     if isinstance(p.type, EnumMeta):
         return value.name
+    if isinstance(value, str):
+        return str(value)  # a grammar is a kind of text
     return json.dumps(plain(value)) if p.is_list or p.type is Values else value

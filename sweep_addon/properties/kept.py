@@ -5,7 +5,7 @@
 Whoever starts Blender waits for it: to import the shapes, of which all of it follows, takes longer than all the rest.
 """
 
-import json
+import marshal
 import os
 import sys
 from contextlib import suppress
@@ -18,7 +18,7 @@ from ..core.later import later
 made = later("bridge.table", "table")
 
 LIBRARY = Path(__file__).parents[1]
-FILE = Path(cache_from_source(__file__)).with_suffix(".json")
+FILE = Path(cache_from_source(__file__)).with_suffix(".table")
 
 
 def table():
@@ -33,10 +33,9 @@ def table():
 def read():
     """What is kept, or None where there is nothing, or where a source of it is another now."""
     try:
-        with open(FILE, encoding="utf-8") as file:
-            held = json.load(file)
+        held = marshal.loads(FILE.read_bytes())
         return held["table"] if held["sources"] == stamps(held["sources"]) else None
-    except (OSError, ValueError, TypeError, KeyError, RecursionError):  # whatever it became, it can be made again
+    except (OSError, ValueError, TypeError, KeyError, EOFError):  # whatever it became, it can be made again
         return None
 
 
@@ -53,7 +52,7 @@ def keep(table):
         if max(time for time, _ in made_from.values()) >= BEGAN:
             return
         FILE.parent.mkdir(parents=True, exist_ok=True)
-        part.write_text(json.dumps({"sources": made_from, "table": table}), encoding="utf-8")
+        part.write_bytes(marshal.dumps({"sources": made_from, "table": table}))
         os.replace(part, FILE)
     except OSError:
         with suppress(OSError):

@@ -35,18 +35,20 @@ def annotations(numbers):
 def annotated(number):
     """One of the table's properties, with what of Blender it stands for: its maker, its type, its functions."""
     maker, told = TABLE["properties"][number]
-    told = told | {name: set(told[name]) for name in ("options", "override") if name in told}
-    if "items" in told:
-        told["items"] = list(map(tuple, told["items"]))
-    if "poll" in told:
-        told["poll"] = only(told["poll"])
-    if "type" in told:
-        told["type"] = GROUPS.get(told["type"]) or getattr(bpy.types, told["type"])
-    return getattr(bpy.props, maker)(**told | {"update": update} if "update" in told else told)
+    meant = {name: stands_for(told[name]) for name, stands_for in STANDING.items() if name in told}
+    return getattr(bpy.props, maker)(**told | meant)
 
 
 def only(types):
     return lambda group, ob: ob.type in types
+
+
+# What the table says of a property that means something of Blender.
+STANDING = {
+    "poll": only,
+    "type": lambda name: GROUPS.get(name) or getattr(bpy.types, name),
+    "update": lambda _: update,
+}
 
 
 for group in TABLE["groups"]:
@@ -69,7 +71,7 @@ class SWEEP_PG_sweep(bpy.types.PropertyGroup):
     __annotations__ = {
         **{shape["name"]: of_shape(shape) for shape in TABLE["shapes"]},
         "kind": bpy.props.EnumProperty(
-            items=[("NONE", "None", "An ordinary mesh", 0), *map(tuple, TABLE["kinds"])],
+            items=[("NONE", "None", "An ordinary mesh", 0), *TABLE["kinds"]],
             options=set(),  # not animated: a mesh that is a sweep in some frames only could not say what it is
             update=update,
             name="Shape",

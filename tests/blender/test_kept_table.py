@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Blender registers is read from a file, which is made anew when what it was made from changes."""
 
-import json
+import marshal
 import os
 import shutil
 import subprocess
@@ -32,7 +32,7 @@ properties.unregister()
 @pytest.fixture
 def file(tmp_path, monkeypatch):
     """Where the table is kept, in a folder that is not there yet."""
-    monkeypatch.setattr(kept, "FILE", tmp_path / "new" / "table.json")
+    monkeypatch.setattr(kept, "FILE", tmp_path / "new" / "kept.table")
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
     return kept.FILE
 
@@ -46,7 +46,7 @@ def test_the_table_is_read_as_it_was_made(file):
 
 def test_what_it_was_made_from_are_the_declarations(file):
     kept.table()
-    sources = json.loads(file.read_text(encoding="utf-8"))["sources"]
+    sources = marshal.loads(file.read_bytes())["sources"]
     expected = {"bridge/table.py", "core/shapes/kinds.py", "core/contours/ovals.py", "core/variation/laws.py"}
     assert expected <= {Path(source).as_posix() for source in sources}
 
@@ -54,22 +54,29 @@ def test_what_it_was_made_from_are_the_declarations(file):
 @pytest.mark.parametrize("change", [{"size": 1}, {"time": 1}, {"name": "core/gone.py"}], ids=str)
 def test_one_of_other_sources_is_not_read(file, change):
     kept.table()
-    held = json.loads(file.read_text(encoding="utf-8"))
+    held = marshal.loads(file.read_bytes())
     source = next(name for name in held["sources"] if name.endswith("laws.py"))
     time, size = held["sources"].pop(source)
     held["sources"][change.get("name", source)] = [time + change.get("time", 0), size + change.get("size", 0)]
-    file.write_text(json.dumps(held), encoding="utf-8")
+    file.write_bytes(marshal.dumps(held))
     assert kept.read() is None
     assert kept.table() == table() == kept.read()
 
 
-SPOILT = ("", "{", "[]", "{}", '{"sources": {}}', '{"sources": [1], "table": {}}', "\0", "1", "[" * 100_000)
+WHOLE = marshal.dumps({"sources": {}, "table": {}})
+SPOILT = (
+    b"",
+    WHOLE[:-1],
+    b"\0",
+    b"[\1\0\0\0" * 100_000,
+    *map(marshal.dumps, ([], {}, 1, {"sources": {}}, {"sources": [1]})),
+)
 
 
-@pytest.mark.parametrize("text", SPOILT, ids=range(len(SPOILT)))
-def test_one_that_was_spoilt_is_made_anew(file, text):
+@pytest.mark.parametrize("held", SPOILT, ids=range(len(SPOILT)))
+def test_one_that_was_spoilt_is_made_anew(file, held):
     file.parent.mkdir()
-    file.write_text(text, encoding="utf-8")
+    file.write_bytes(held)
     assert kept.read() is None
     assert kept.table() == table() == kept.read()
 
