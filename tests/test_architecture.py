@@ -26,6 +26,18 @@ def test_each_test_file_has_a_name_of_its_own():
     assert len(names) > 100 and len(names) == len(set(names))
 
 
+@pytest.mark.parametrize("front", sorted(CHECKOUT.glob("sweep_addon/core/**/__init__.py")), ids=lambda f: f.parent.name)
+def test_no_front_takes_the_name_of_a_module_for_something_of_it(front):
+    """Whoever imports the module by its name would put it in the place of what the front offers."""
+    taken = {
+        alias.asname or alias.name
+        for node in ast.walk(ast.parse(front.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ImportFrom) and node.module
+        for alias in node.names
+    }
+    assert taken.isdisjoint(path.stem for path in front.parent.glob("*.py"))
+
+
 def part(path):
     """The part of the house that a name belongs to, or None for the root and the library's front."""
     return next((name for name in BELOW if path == name or path.startswith(name + "/")), None)

@@ -31,7 +31,7 @@ WAITING = """
     rings.wavefront shapes.roofing contours.arcs contours.arrangement
     contours.crossing contours.filling contours.flatten contours.fonts contours.loops contours.nesting
     contours.orientation contours.planar contours.ranges contours.reading contours.rounding contours.section
-    contours.svg contours.svg_document contours.symmetry distance.nearest grammars shapes.carrying
+    contours.svg contours.svg_document contours.symmetry distance.nearest_points grammars shapes.carrying
     shapes.directing shapes.extruding shapes.growing shapes.revolving offsets.offset swept variation.rails
     self_intersection.cells self_intersection.cylinders self_intersection.detect self_intersection.faces
     self_intersection.folds self_intersection.lattice self_intersection.local self_intersection.pd_curves

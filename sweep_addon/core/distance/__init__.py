@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Distance to a mesh of triangles: the nearest point, exact, for many points at once, and on which side they are."""
 
-from .nearest import Nearest, nearest
+from .nearest_points import Nearest, nearest
 from .sign import PseudoNormals
 from .tree import Tree
 

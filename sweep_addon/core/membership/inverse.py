@@ -11,7 +11,7 @@ from ..declared.names import titled
 from ..declared.parameters import require
 from ..shapes.operand import Operand
 from ..shapes.translational_sweep import TranslationalSweep
-from .classify import RELATIVE, rows_of_three
+from .classifying import RELATIVE, rows_of_three
 from .members import member
 from .motion.hash import portions
 from .sets.deformed import CHUNK as PAIRS
