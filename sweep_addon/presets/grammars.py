@@ -15,7 +15,11 @@ SOURCE = re.compile(r"# Source: (.*)\.\n")
 
 
 def rows():
-    """The cells of each preset: its title, what it is, its source, its sliders, and how large it becomes."""
+    """The cells of each preset: its title, what it is, its source, its sliders, and how large it becomes.
+
+    >>> next(rows())[0]
+    '**Algae**'
+    """
     for preset in PRESETS:
         if preset.group == GROWN:
             plant = shape(preset.name)
@@ -26,11 +30,7 @@ def rows():
 
 
 def markdown():
-    """The rows as a table.
-
-    >>> markdown().splitlines()[0]
-    '| preset | what it is | source | sliders | generations: modules and vertices |'
-    """
+    """The rows as a table."""
     head = "| preset | what it is | source | sliders | generations: modules and vertices |\n|---|---|---|---|---|"
     return "\n".join((head, *(f"| {' | '.join(cells)} |" for cells in rows())))
 

@@ -142,7 +142,7 @@ def bound(cls, values, named):
     names = cls.__match_args__
     if len(values) > len(names):
         raise TypeError(f"{cls.__name__} takes at most {len(names)} values but got {len(values)}")
-    if not named.keys() <= set(names):
+    if named and not named.keys() <= set(names):
         from .hints import has_none  # nobody needs it until something is refused
 
         name = next(name for name in named if name not in names)
@@ -150,6 +150,8 @@ def bound(cls, values, named):
     if not values:
         return named
     given = dict(zip(names, values, strict=False))
+    if not named:
+        return given
     for name in named.keys() & given.keys():
         raise TypeError(f"{cls.__name__} got two values for {name!r}")
     return given | named

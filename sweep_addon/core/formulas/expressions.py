@@ -25,8 +25,10 @@ MOST_NAMES = 20  # that a refusal lists
 DRAW = "draw "  # how the name of a random number begins; no text can say it
 
 GREEK = "Α-Ωα-ω"  # letters that names may have too, as angles have in books
+DIGITS = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+NUMBER = re.compile(DIGITS, re.ASCII)
 TOKEN = re.compile(
-    rf"(?P<space>\s+)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_{GREEK}][\w{GREEK}]*)"
+    rf"(?P<space>\s+)|(?P<number>{DIGITS})|(?P<name>[A-Za-z_{GREEK}][\w{GREEK}]*)"
     r"|(?P<symbol>\*\*|&&|\|\||[<>=!]=|[-+*/%^<>!(),&|=])|(?P<nothing>.)",
     re.ASCII | re.DOTALL,
 )
@@ -90,8 +92,16 @@ class Expression:
 
     def run(self, values):
         """The value of the tree, by the names, for whatever NumPy can calculate with: numbers, arrays, or jets."""
+        if not self.names:
+            return self.constant
         with np.errstate(all="ignore"):
             return self.calculated([values[name] for name in self.names])
+
+    @cached_property
+    def constant(self):
+        """The value of an expression without names."""
+        with np.errstate(all="ignore"):
+            return self.calculated(())
 
     def calculated(self, values):
         """The same of values in the order of the names, for who has told NumPy that no number is an error."""
@@ -159,7 +169,14 @@ def compiled(text, names):
 
 def read(text, names, vocabulary=LAWS, drawn=0):
     """Read an expression in the words of a kind of texts; random numbers are counted on from those drawn before."""
-    return Reader(text, names, vocabulary, drawn).read()
+    return plain(text) or Reader(text, names, vocabulary, drawn).read()
+
+
+def plain(text):
+    """The expression of a text that is one number, as most of grammars are; None of all others."""
+    if not NUMBER.fullmatch(text) or len(text) > LONGEST or not isfinite(float(text)):
+        return None
+    return Expression(text, (), (float(text),))
 
 
 class Reader:

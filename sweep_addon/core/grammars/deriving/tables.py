@@ -87,10 +87,12 @@ class Tables:
 
     def number(self, module):
         """The number of a module or pattern."""
-        if module.symbol not in self.numbers:
-            self.numbers[module.symbol] = len(self.symbols)
-            self.symbols.append(module.symbol)
-        return self.numbers[module.symbol]
+        symbol = module.symbol
+        number = self.numbers.get(symbol)
+        if number is None:
+            number = self.numbers[symbol] = len(self.symbols)
+            self.symbols.append(symbol)
+        return number
 
     def path(self, origin, link, number):
         """The path that goes on so from another."""
@@ -270,11 +272,11 @@ class Template:
         fixed = [(k, c, p) for k, c, p in each if not p.names]
         values = {id(p): float(p.run({})) for p in {id(p): p for _, _, p in fixed}.values()}  # one for all alike
         self.fixed = {(k, c): values[id(p)] for k, c, p in fixed}
-        known = sources(rule, tables) if rule else {}
+        told = [(k, c, p) for k, c, p in each if p.names]
+        known = sources(rule, tables) if rule and told else {}
         found = {}
-        for k, c, p in each:
-            if p.names:
-                found.setdefault(p.program, (Formula(p, known), []))[1].append((k, c))
+        for k, c, p in told:
+            found.setdefault(p.program, (Formula(p, known), []))[1].append((k, c))
         self.formulas = list(found.values())
         self.changes = self.formulas if len(modules) > 1 else [each for each in self.formulas if not stays(*each)]
         self.random = any(formula.random for formula, _ in self.formulas)

@@ -12,13 +12,14 @@ import re
 
 from ..deriving.statements import assigned
 from ..deriving.subsystems import BEGINS
+from ..text.brackets import first_outside, last_outside
 from ..text.modules import ENVIRONMENT, QUERIES
 from ..text.passages import Passage, shown
 from ..text.productions import around, headed
 from . import line_by_line
 from .local import Locals, parted
 from .pasting import DEFINED, Pasting, joined, uncommented
-from .words import comparing, last_outside, modules, outside, unknown
+from .words import comparing, modules, unknown
 
 KEYWORDS = {  # what a line of the book says in its place; None where it says nothing
     "lsystem": None,
@@ -60,6 +61,8 @@ GRANTED = "maximum depth: 1"  # of a homomorphism and a decomposition, where the
 
 def named(text, at):
     """The name of the module at a place: of what begins with @ two letters, or three after @G, and of queries two."""
+    if text[at].isalnum():
+        return text[at]
     long = text[at : at + 3]
     if long[:2] == "@G" and long[2:] in ("s", "c", "e", "t"):
         return long
@@ -149,7 +152,7 @@ class Reader:
         head, arrow, successor = line.partition("-->")
         if not arrow:
             source.refuse("a keyword, or a production with '-->'", 0, shown(source.text))
-        colon = outside(head, ":")
+        colon = first_outside(head, ":")
         contexts, condition = (head[:colon], head[colon + 1 :].strip()) if colon >= 0 else (head, "")
         before, condition, behind = parted(condition, source)
         own = Locals(tuple(self.variables), source, self.pasting.spend)
@@ -181,11 +184,13 @@ class Reader:
         """A word in the symbols of the book."""
         found = modules(passage, named)
         if own:
-            found = [said._replace(parameters=tuple(map(own.told, said.parameters))) for said in found]
+            found = [own.spelled(said) for said in found]
         return " ".join(self.module(passage, said) for said in found)
 
     def module(self, passage, said):
         name = said.name
+        if name.isalnum() and name != MOVES:
+            return said.told()
         self.queries |= name in (*QUERIES, ENVIRONMENT)
         if name == "@v" and self.queries:
             unknown(passage, said, "no @v beside queries, for up is y there and z here")

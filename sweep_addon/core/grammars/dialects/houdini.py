@@ -11,10 +11,11 @@ book turn left, down and to the left.
 import re
 
 from ..deriving.draws import DRAWS
+from ..text.brackets import first_outside, last_outside
 from ..text.passages import Passage, shown
 from ..text.productions import around, headed
 from . import line_by_line
-from .words import comparing, last_outside, modules, outside, unknown
+from .words import comparing, modules, unknown
 
 WORDS = re.compile(r"[A-Za-z]+(?: +[A-Za-z]+)* *\d*")  # before the colon of a setting
 LONGEST_WORDS = 40
@@ -95,7 +96,7 @@ class Reader:
         if at < 0:
             passage.refuse("a premise, a rule as A=FA, or a setting", 0, shown(text))
         head, body = passage.part(0, at), passage.part(at + 1)
-        colon = outside(head.text, ":")
+        colon = first_outside(head.text, ":")
         contexts, condition = (head.part(0, colon), head.part(colon + 1).text) if colon >= 0 else (head, "")
         comparing(condition, passage)
         colon = last_outside(body.text, ":")

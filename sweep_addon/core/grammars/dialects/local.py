@@ -49,6 +49,10 @@ class Locals:
         self.spend(len(found), self.source)
         return found
 
+    def spelled(self, said):
+        """A module whose parameters are told in full."""
+        return said._replace(parameters=tuple(map(self.told, said.parameters))) if said.parameters else said
+
 
 def parted(condition, source):
     """The statements before a condition, the condition, and the statements behind it."""

@@ -14,11 +14,12 @@ It takes widths as radii, turns by 60 degrees where nothing is said, and derives
 import re
 
 from ..drawing.turtle import EDGE
+from ..text.brackets import first_outside
 from ..text.modules import Alphabet
 from ..text.passages import Passage, shown
 from ..text.productions import around, headed
 from . import line_by_line
-from .words import modules, outside, unknown
+from .words import modules, unknown
 
 DECLARED = re.compile(r"module\s+(.+)")
 VALUE = re.compile(r"([A-Za-z_]\w*)\s*=(?!=)\s*(.+)", re.ASCII)
@@ -85,7 +86,7 @@ class Reader:
         section = SECTION.fullmatch(text)
         if section:
             return self.sectioned(passage, section)
-        if outside(text, "-->") >= 0:
+        if first_outside(text, "-->") >= 0:
             return self.rule(passage)
         if MATHEMATICS.match(text):
             return ""
@@ -120,11 +121,11 @@ class Reader:
         return TOLD.get(kind, "")
 
     def rule(self, passage):
-        at = outside(passage.text, "-->")
+        at = first_outside(passage.text, "-->")
         head, body = passage.part(0, at), passage.part(at + 3)
         if ">>" in head.text or "<<" in head.text:
             passage.refuse("contexts with < and >, of the word before the step", 0, shown(head.text))
-        colon = outside(head.text, ":")
+        colon = first_outside(head.text, ":")
         if colon >= 0:
             expected = "no condition, which L-Py has in Python; without '#dialect lpy' it is A(x) : x > 3 -> B"
             head.refuse(expected, colon, shown(head.part(colon).text))

@@ -5,10 +5,9 @@
 import re
 from typing import NamedTuple
 
-from ..text.modules import bracketed
+from ..text.modules import BLANK, bracketed
 from ..text.passages import Passage, shown
 
-PRINTED = re.compile("[!-~]")
 FRACTION = re.compile(r"0*\.\d*[1-9]\d*", re.ASCII)
 
 
@@ -48,49 +47,24 @@ def modules(passage: Passage, named=single):
     >>> [said.told() for said in modules(Passage("F (1, x*(2)) + G", 1))]
     ['F(1,x*(2))', '+', 'G']
     """
-    text, at, found = passage.text, 0, []
-    while (at := after_blanks(text, at)) < len(text):
+    text, at, found = passage.text, 0, []  # which begins with no blank
+    while at < len(text):
         name = named(text, at)
-        if name in "()" or not PRINTED.match(name):
+        if name in "()" or not "!" <= name[0] <= "~":
             passage.refuse("a module", at)
-        end, parameters = at + len(name), ()
-        opening = after_blanks(text, end)
-        if text[opening : opening + 1] == "(":
-            parts, end = bracketed(passage, opening)
+        here, parameters = at, ()
+        at = BLANK.match(text, at + len(name)).end()
+        if text.startswith("(", at):
+            parts, at = bracketed(passage, at)
             parameters = tuple(part.text for part in parts)
-        found.append(Said(name, at, parameters))
-        at = end
+            at = BLANK.match(text, at).end()
+        found.append(Said(name, here, parameters))
     return found
 
 
 def after_blanks(text, at):
     """The next place that is no blank, or the end."""
-    while at < len(text) and text[at].isspace():
-        at += 1
-    return at
-
-
-def outside(text, sign):
-    """The place of the first such sign outside of brackets, or -1.
-
-    >>> outside("A(x=1)=B", "="), outside("A(x)", "=")
-    (6, -1)
-    """
-    depth = 0
-    for at, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
-        if not depth and text.startswith(sign, at):
-            return at
-    return -1
-
-
-def last_outside(text, sign):
-    """The place of the last such sign outside of brackets, or -1."""
-    depth, found = 0, -1
-    for at, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
-        found = at if not depth and text.startswith(sign, at) else found
-    return found
+    return BLANK.match(text, at).end()
 
 
 def unknown(passage, said, what="a symbol that has a meaning here"):

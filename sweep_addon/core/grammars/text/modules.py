@@ -22,6 +22,8 @@ NEVER = frozenset("()<>*#:")  # characters that are part of the notation
 MOST_PARAMETERS = 32
 BLANKS = re.compile(r"(?<!\w)\s+|\s+(?!\w)", re.ASCII)  # all that part no words
 NAME = re.compile(rf"[A-Za-z_{GREEK}][\w{GREEK}]*", re.ASCII)
+BLANK = re.compile(r"\s*")
+BRACKET = re.compile("[(),]")
 ORGAN = re.compile(r"~([a-z]{2,}\w*)", re.ASCII)  # names of organs; capitals follow each other without blanks
 UNSET = Expression("0", (), (0.0,))  # of a query, until a turtle fills it in
 
@@ -120,23 +122,19 @@ class Alphabet:
         >>> [letter.name for letter in Alphabet(["Fl"]).letters(Passage("Fl + F(1, 2) l", 1))]
         ['Fl', '+', 'F', 'l']
         """
-        text, at, found = passage.text, 0, []
+        text, at, found = passage.text, 0, []  # which begins with no blank
         while at < len(text):
             name = text[at]
-            if name.isspace():
-                at += 1
-                continue
             if name in self.initials:
                 name = self.named(text, at)
             if name in NEVER or not "!" <= name[0] <= "~":
                 passage.refuse("a module", at)
-            end, arguments = at + len(name), ()
-            while text[end : end + 1].isspace():
-                end += 1
-            if text[end : end + 1] == "(":
-                arguments, end = bracketed(passage, end)
-            found.append(Letter(name, at, arguments))
-            at = end
+            here, arguments = at, ()
+            at = BLANK.match(text, at + len(name)).end()
+            if text.startswith("(", at):
+                arguments, at = bracketed(passage, at)
+                at = BLANK.match(text, at).end()
+            found.append(Letter(name, here, arguments))
         return found
 
     def word(self, passage, names, vocabulary, drawn=0):
@@ -173,18 +171,19 @@ class Alphabet:
             made.append(module)
         return tuple(made), drawn
 
-    def patterns(self, passage):
-        """The modules in a passage whose parameters are names."""
-        made, plain = [], {}
-        for letter in self.letters(passage):
-            if not letter.arguments:
-                made.append(plain.get(letter.name) or plain.setdefault(letter.name, Pattern(letter.name)))
-                continue
-            for argument in letter.arguments:
-                if not NAME.fullmatch(argument.text):
-                    argument.refuse("a name for the parameter", 0, shown(argument.text))
-            made.append(Pattern(letter.name, tuple(argument.text for argument in letter.arguments)))
-        return made
+
+def patterns(letters):
+    """Modules whose parameters are names."""
+    made, plain = [], {}
+    for letter in letters:
+        if not letter.arguments:
+            made.append(plain.get(letter.name) or plain.setdefault(letter.name, Pattern(letter.name)))
+            continue
+        for argument in letter.arguments:
+            if not NAME.fullmatch(argument.text):
+                argument.refuse("a name for the parameter", 0, shown(argument.text))
+        made.append(Pattern(letter.name, tuple(argument.text for argument in letter.arguments)))
+    return made
 
 
 def undeclared(text, letters):
@@ -193,7 +192,7 @@ def undeclared(text, letters):
     >>> undeclared("F~leaf(2)", Alphabet().letters(Passage("F~leaf(2)", 1)))
     (1, 'leaf')
     """
-    for letter, following in zip(letters, letters[1:], strict=False):
+    for letter, following in zip(letters, letters[1:], strict=False) if "~" in text else ():
         if letter.name == "~" and len(following.name) == 1:
             word = ORGAN.match(text, letter.at)
             if word:
@@ -217,8 +216,8 @@ def parameter(passage, names, vocabulary, drawn):
 def bracketed(passage, start):
     """The passages between commas in the brackets that open at a place, and where these end."""
     text, depth, begin, found = passage.text, 0, start + 1, []
-    for at in range(start, len(text)):
-        letter = text[at]
+    for match in BRACKET.finditer(text, start):
+        letter, at = match.group(), match.start()
         if letter == "(":
             depth += 1
         elif letter == ")":
@@ -228,7 +227,7 @@ def bracketed(passage, start):
                 if len(found) > MOST_PARAMETERS:
                     passage.refuse(f"at most {MOST_PARAMETERS} parameters", start, f"{len(found)}")
                 return tuple(found), at + 1
-        elif letter == "," and depth == 1:
+        elif depth == 1:
             found.append(passage.part(begin, at))
             begin = at + 1
     passage.refuse("')' after it", start, "'('")

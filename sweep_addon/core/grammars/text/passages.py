@@ -40,8 +40,9 @@ class Passage:
 
     def __init__(self, line, number, start=0, stop=None):
         text = line[start:stop]
-        self.line, self.number = line, number
-        self.start, self.text = start + len(text) - len(text.lstrip()), text.strip()
+        self.line, self.number, self.start, self.text = line, number, start, text.strip()
+        if len(self.text) < len(text):
+            self.start += len(text) - len(text.lstrip())
 
     def part(self, start, stop=None):
         """A stretch of this one."""

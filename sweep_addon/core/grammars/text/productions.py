@@ -3,12 +3,12 @@
 """Productions as they are written: ``left < predecessor > right : condition -(probability)-> successor``."""
 
 import re
-from dataclasses import replace
 
-from ...declared.frozen import frozen
+from ...declared.frozen import altered, frozen
 from ...formulas.expressions import GREEK, Expression
+from .brackets import first_outside, last_outside
 from .elsewhere import hint
-from .modules import CLOSE, NAME, OPEN, Alphabet, Module, Pattern, paired, undeclared
+from .modules import CLOSE, NAME, OPEN, Alphabet, Module, Pattern, paired, patterns, undeclared
 from .passages import Passage, shown
 from .vocabulary import draws, formula, value, words
 
@@ -117,7 +117,7 @@ def production(passage: Passage, alphabet: Alphabet, constants, variables=()):
     if successor.text == EMPTY:
         return rule
     drawn = draws(rule.condition.names) if rule.condition else 0
-    return replace(rule, successor=alphabet.word(successor, names, words(constants), drawn)[0])
+    return altered(rule, successor=alphabet.word(successor, names, words(constants), drawn)[0])
 
 
 def patterned(passage, alphabet, constants, variables=()):
@@ -159,11 +159,8 @@ def conditional(passage, names, constants):
 
 def arrow(passage):
     """The place of the last arrow outside of brackets."""
-    text, depth, found = passage.text, 0, -1
-    for at, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
-        if not depth and text.startswith(ARROW, at):
-            found = at
+    text = passage.text
+    found = last_outside(text, ARROW)
     if found < 0:
         behind = unclosed(text)
         if behind is not None and ARROW in text[behind:]:
@@ -221,17 +218,8 @@ def opening(text):
 
 def split(passage, sign):
     """What is before and after the first such sign outside of brackets; None where there is no such sign."""
-    at = outside(passage, sign)
-    return (passage, None) if at is None else (passage.part(0, at), passage.part(at + 1))
-
-
-def outside(passage, sign):
-    depth = 0
-    for at, letter in enumerate(passage.text):
-        depth += (letter == "(") - (letter == ")")
-        if letter == sign and not depth:
-            return at
-    return None
+    at = first_outside(passage.text, sign)
+    return (passage, None) if at < 0 else (passage.part(0, at), passage.part(at + 1))
 
 
 def around(head):
@@ -243,8 +231,9 @@ def around(head):
     left, right = (None if part is not None and part.text == ANY else part for part in (left, right))
     for part in filter(None, (left, strict, right)):
         for sign in "<>":
-            if outside(part, sign) is not None:
-                part.refuse("one '<' and behind it one '>'", outside(part, sign))
+            at = first_outside(part.text, sign)
+            if at >= 0:
+                part.refuse("one '<' and behind it one '>'", at)
         if not part.text and part is not strict:
             part.refuse("a module of the context")
     return left, strict, right
@@ -259,39 +248,39 @@ def contextual(passage, alphabet):
     for letter, following in zip(letters, letters[1:], strict=False):
         if letter.name == OPEN and following.name in (OPEN, CLOSE):
             passage.refuse("the module that a branch begins with", following.at)
-    return tuple(alphabet.patterns(passage))
+    return tuple(patterns(letters))
 
 
 def strict_predecessor(passage, alphabet):
-    patterns = alphabet.patterns(passage)
-    if not patterns:
+    found = patterns(alphabet.letters(passage))
+    if not found:
         passage.refuse("a module to be replaced")
-    if len(patterns) > 1:
-        several = f"{shown(passage.text)}, which is {len(patterns)} modules"
-        passage.refuse(f"one module to be replaced{meant(passage, patterns)}", 0, several)
-    if patterns[0].name in (OPEN, CLOSE):
+    if len(found) > 1:
+        several = f"{shown(passage.text)}, which is {len(found)} modules"
+        passage.refuse(f"one module to be replaced{meant(passage, found)}", 0, several)
+    if found[0].name in (OPEN, CLOSE):
         passage.refuse("a module to be replaced, for brackets stay")
-    if patterns[0].name == "?" and patterns[0].parameters:
+    if found[0].name == "?" and found[0].parameters:
         passage.refuse("a module to be replaced, for what begins a sub-system stays")
-    return patterns[0]
+    return found[0]
 
 
-def meant(passage, patterns):
+def meant(passage, found):
     """What somebody may have meant who wrote several modules before an arrow."""
     if NAME.fullmatch(passage.text):
         return f"; a name of several letters is declared: #names {passage.text}"
     if FRACTION.search(passage.text):
-        return f"; a probability stands in the arrow: {patterns[0].name} -(0.5)-> ..."
-    if patterns[-1].name == "-" and patterns[-1].parameters:
-        name = patterns[-1].parameters[0]
+        return f"; a probability stands in the arrow: {found[0].name} -(0.5)-> ..."
+    if found[-1].name == "-" and found[-1].parameters:
+        name = found[-1].parameters[0]
         return f"; a probability is a constant, no parameter: #define {name} 0.5"
     return ""
 
 
-def names_of(patterns, head):
+def names_of(found, head):
     """The names of all parameters in reading order, each once."""
     names = {}
-    for name in (name for pattern in patterns for name in pattern.parameters):
+    for name in (name for pattern in found for name in pattern.parameters):
         if name in names:
             head.refuse("each name for one parameter", head.text.rfind(name), shown(name))
         names[name] = None

@@ -30,6 +30,7 @@ MOST_LINES = 20_000
 MOST_PROBLEMS = 200  # before the rest of a text is left unread
 DEPTH = 100  # levels of a decomposition or a homomorphism, where the text says nothing
 AXIOM_WORD = re.compile(r"axiom\b", re.IGNORECASE)
+CONTROL = re.compile(r"[\x00-\x08\x0a-\x1f\x7f]")  # but tabs
 BREAK = re.compile(r"\r\n|\r|\n")
 
 
@@ -67,9 +68,9 @@ class Reader:
         start = passage.start
         code, mark, comment = line[start:].partition("#")
         passage = Passage(line, number, start, start + len(code))
-        for at, letter in enumerate(code):
-            if ord(letter) < 32 and letter != "\t" or letter == "\x7f":
-                Passage(line, number, start + at).refuse("text", 0, f"the character {ord(letter)}")
+        control = CONTROL.search(code)
+        if control:
+            Passage(line, number, start + control.start()).refuse("text", 0, f"the character {ord(control.group())}")
         return (word, passage, comment.strip()) if word or passage.text else None
 
     def read(self):
