@@ -5,6 +5,7 @@
 import json
 import re
 from dataclasses import replace
+from functools import cache
 from hashlib import sha256
 from math import sqrt
 from pathlib import Path
@@ -84,12 +85,23 @@ OF_THE_BOOK = {  # the presets of the conformance set, and values of constants w
 AS_PRINTED = {"abop-2.8c": {"lr": 1.79}}  # a misprint, which the preset does not have
 
 
+@cache
+def plant(name):
+    return presets.shape(f"l_system_{name}")
+
+
 def text(name):
-    return str(presets.shape(f"l_system_{name}").system)
+    return str(plant(name).system)
 
 
 def system(name, **values):
-    return LSystem.parse(text(name), values)
+    return LSystem.parse(text(name), values) if values else plain(name)
+
+
+@cache
+def plain(name):
+    """The system of a preset with its own values, which many tests ask for."""
+    return LSystem.parse(text(name))
 
 
 def by(cases):
@@ -458,7 +470,7 @@ def test_a_slider_can_be_pulled_from_end_to_end(name, slider):
     assert slider.low <= slider.value <= slider.high and slider.low < slider.high and slider.doc
     between = [slider.low / 3 + slider.high / 1.5] if FULL else []
     for value in (slider.low, *between, slider.high):
-        mesh = replace(presets.shape(f"l_system_{name}"), constants={slider.name: value}).mesh()
+        mesh = replace(plant(name), constants={slider.name: value}).mesh()
         assert 0 < len(mesh.vertices) < 1_000_000 and np.isfinite(mesh.vertices).all()
         assert not len(mesh.non_manifold_edges())
 
@@ -467,15 +479,14 @@ def test_a_slider_can_be_pulled_from_end_to_end(name, slider):
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_preset_names_its_source_and_is_quick_to_draw(name):
     """Its text begins with the source, for whoever edits it; constants without a range follow from others."""
-    shape = presets.shape(f"l_system_{name}")
+    shape = plant(name)
     assert re.match(r"# Source: [^\n]{8,}\.\n", shape.system)
     assert all(slider.low is not None for slider in system(name).constants if not slider.formula.names)
     mesh = shape.mesh()
     assert 0 < len(mesh.vertices) <= MOST_VERTICES and not len(mesh.non_manifold_edges())
     sizes = np.ptp(mesh.vertices, axis=0)
     assert 0.2 < sizes.max() < 20
-    polygons = growing.read(shape.system).derive(shape.generations, shape.seed).figure(shape.upright.upright).filled
-    assert len(mesh.boundary_edges()) == len(polygons.points)
+    assert len(mesh.boundary_edges()) == len(growing.shown(shape).filled.points)
 
 
 @pytest.mark.thorough

@@ -5,6 +5,7 @@
 import numpy as np
 import pytest
 import sequential_deriver
+from conftest import FULL
 from grammar_inputs import crowded, grammars, sectioned
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -16,7 +17,7 @@ from sweep_addon.core.grammars.deriving.derivation import strategy
 from sweep_addon.core.grammars.deriving.growth import bounds
 
 SMALL = Budget(modules=2000)
-MORE = settings(max_examples=2 * settings().max_examples)
+MORE = settings(max_examples=(2 if FULL else 1) * settings().max_examples)
 GENERATIONS = 4
 
 

@@ -5,6 +5,7 @@
 import time
 
 import pytest
+from conftest import FULL
 from grammar_inputs import grammars
 from hypothesis import given
 from hypothesis import strategies as st
@@ -14,6 +15,7 @@ from sweep_addon.core.declared.parameters import ShapeError
 from sweep_addon.core.grammars import Budget, GrammarError, LSystem
 
 SMALL = Budget(modules=5000, bytes=10_000_000, seconds=2)
+MANY = 8000 if FULL else 2000  # productions
 WHOLE = r"""#dialect abop
 #names internode, Fl              # names of more than one letter
 #define r1 0.9                    # 0.5 .. 1.2 length ratio
@@ -270,8 +272,8 @@ def test_a_refusal_of_a_known_size_comes_at_once():
 
 
 @pytest.mark.thorough
-def test_a_nest_of_branches_as_deep_as_a_text_allows_is_derived():
-    depth = 100_000
+def test_a_nest_of_branches_deeper_than_any_recursion_is_derived():
+    depth = 100_000 if FULL else 25_000
     system = LSystem.parse(f"#ignore +\naxiom: A{'[+' * depth}B{']' * depth}\nA < B -> C")
     assert str(system.derive(1)) == f"A{'[+' * depth}C{']' * depth}"
 
@@ -315,19 +317,19 @@ def test_a_list_of_groups_is_bounded():
 @pytest.mark.parametrize(
     "rules",
     [
-        "\n".join(f"A(x) : x > {k + 1} -> B" for k in range(8000)),
-        "\n".join(f"A(x) : x < {k - 8000} -> A(x)A(x)" for k in range(8000)) + "\nA(x) -> A(x)A(x)",
-        "\n".join(f"{chr(65 + k % 50)} < A(x) > {chr(65 + k // 50 % 50)} -> AB" for k in range(15_000)),
+        "\n".join(f"A(x) : x > {k + 1} -> B" for k in range(MANY)),
+        "\n".join(f"A(x) : x < {k - MANY} -> A(x)A(x)" for k in range(MANY)) + "\nA(x) -> A(x)A(x)",
+        "\n".join(f"{chr(65 + k % 50)} < A(x) > {chr(65 + k // 50 % 50)} -> AB" for k in range(2 * MANY)),
     ],
     ids=["conditions", "growing", "contexts"],
 )
 def test_thousands_of_productions_are_no_trap(rules):
     started = time.process_time()
     try:
-        LSystem.parse(f"axiom: A(1)\n{rules}").derive(2000, budget=Budget(modules=10_000, seconds=1))
+        LSystem.parse(f"axiom: A(1)\n{rules}").derive(2000, budget=Budget(modules=10_000, seconds=1 if FULL else 0.3))
     except ShapeError as refusal:
         assert len(str(refusal)) < 20_000
-    assert time.process_time() - started < 20
+    assert time.process_time() - started < (20 if FULL else 4)
 
 
 @pytest.mark.parametrize("number", ["0.4", "2", "1/3", "-1", "1e-1", "1/0", "(.5)"])

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from test_grammar_dialects import FASS, HOUDINI, LEAF, LPY, MACROS
-from test_grammar_hostile import LARGEST, MANY, SMALL, drawn
+from test_grammar_hostile import LARGEST, MANY, SMALL, drawn, some
 from test_grammar_queries import SQUARE
 from test_grammar_statements import CPFG as STATED
 from test_grammar_statements import RACEME
@@ -67,7 +67,7 @@ def test_any_mutation_of_any_dialect_is_read_and_written_or_refused(told, other,
         pass
 
 
-LONG = 400_000
+LONG = some(400_000)
 
 
 @pytest.mark.thorough
@@ -76,25 +76,28 @@ LONG = 400_000
     [
         "#dialect houdini\npremise" + " " * LONG + "A",
         "#dialect houdini\n" + "a " * LONG + ":",
-        "#dialect houdini\npremise: A\nA=" + "~" * 100_000,
+        "#dialect houdini\npremise: A\nA=" + "~" * some(100_000),
         "#dialect houdini\npremise: A\nA" + ":" * LONG + "=B",
         "#dialect lpy\ngroup" + " " * LONG + "x",
-        "#dialect lpy\nmodule " + ", ".join(f"nm{k}" for k in range(9000)) + "\nAxiom: " + "nm1 x nm8999 " * 20_000,
+        "#dialect lpy\nmodule "
+        + ", ".join(f"nm{k}" for k in range(some(9000)))
+        + "\nAxiom: "
+        + "nm1 x nm2249 " * some(20_000),
         "#dialect lpy\nAxiom: A\n" + "A" + "(" * LONG + " --> B",
         "#dialect lpy\nx = a" + " " * LONG + "b",
         "#dialect cpfg\nstart" + " " * LONG + "x",
         "#dialect cpfg\ntwist:" + "0" * LONG + "x",
         "#dialect cpfg\nA : {x = a" + " " * LONG + "b;} 1 --> B",
-        "#dialect cpfg\n#define a " + "b " * 900 + "\n" + "A --> a a a a a a a a a a\n" * 18_000,
-        "#dialect cpfg\naxiom: A\n" + "A : {x = y + y; z = x + x; w = z + z;} 1 --> B(w)\n" * 15_000,
-        "#dialect cpfg\n" + "A" * LONG + "\n" + "\tB\n" * 18_000,
+        "#dialect cpfg\n#define a " + "b " * 900 + "\n" + "A --> a a a a a a a a a a\n" * some(18_000),
+        "#dialect cpfg\naxiom: A\n" + "A : {x = y + y; z = x + x; w = z + z;} 1 --> B(w)\n" * some(15_000),
+        "#dialect cpfg\n" + "A" * LONG + "\n" + "\tB\n" * some(18_000),
         "#dialect cpfg\nA " + ": " * LONG + "--> B",
-        "start: " + "n = 1; " * 100_000 + "\naxiom: A",
-        "axiom: A\n" + "A[B]" * 25_000 + " < A -> B",
-        "axiom: " + "?(1,2)" * 30_000 + "F",
-        "axiom: " + "?(1,2)F$$" * 30_000,
+        "start: " + "n = 1; " * some(100_000) + "\naxiom: A",
+        "axiom: A\n" + "A[B]" * some(25_000) + " < A -> B",
+        "axiom: " + "?(1,2)" * some(30_000) + "F",
+        "axiom: " + "?(1,2)F$$" * some(30_000),
         "axiom: @Gs" + "f@Gc(1000)" * 30_000,
-        "axiom: " + "F?P(x,y)[" * 30_000 + "]" * 30_000,
+        "axiom: " + "F?P(x,y)[" * some(30_000) + "]" * some(30_000),
     ],
     ids=range(21),
 )

@@ -73,6 +73,12 @@ def errors(figure, segments):
     return np.maximum(wrong, np.abs(figure.axes - axes).max(axis=(1, 2)))
 
 
+def agree(found, wanted):
+    """Whether numbers are those of the reference but for rounding; `pytest.approx` takes longer than both to find."""
+    wanted = np.array(wanted)
+    return found.shape == wanted.shape and (np.abs(found - wanted) <= 1e-12 * np.abs(wanted)).all()
+
+
 @pytest.mark.parametrize("roll", ["", "/(0)"])
 def test_an_upright_plant_is_seen_from_in_front_as_the_book_draws_it(roll):
     """Its page: x to the right, z up, and the turtle's up towards the reader, whose front view looks along y."""
@@ -85,13 +91,13 @@ def test_an_upright_plant_is_seen_from_in_front_as_the_book_draws_it(roll):
 @pytest.mark.parametrize("upright", [False, True])
 def test_random_words_are_drawn_as_by_the_reference(letters, upright, draws):
     draw = np.random.default_rng(20261129)
-    for _ in range(2 * draws):
+    for _ in range(draws):
         modules = random_word(draw, letters, draw.integers(0, 120))
         figure, segments, at = compared(modules, upright)
         assert errors(figure, segments).max(initial=0) < 1e-12
         assert np.abs(figure.at - at).max() < 1e-12 * (1 + np.abs(at).max())
-        assert figure.width == pytest.approx([segment["width"] for segment in segments], rel=1e-12)
-        assert figure.colour == pytest.approx([segment["colour"] for segment in segments], rel=1e-12)
+        assert agree(figure.width, [segment["width"] for segment in segments])
+        assert agree(figure.colour, [segment["colour"] for segment in segments])
 
 
 @pytest.mark.parametrize(
@@ -101,7 +107,7 @@ def test_random_words_are_drawn_as_by_the_reference(letters, upright, draws):
 def test_levelled_and_bent_words_are_drawn_as_by_the_reference(tropism, draws):
     """Each $ divides errors by the sine of the heading's angle to the vertical: that is the tolerance."""
     draw = np.random.default_rng(8)
-    for _ in range(draws):
+    for _ in range(draws // 2):
         modules = random_word(draw, LEVELLING, draw.integers(0, 120))
         figure, segments, _ = compared(modules, True, tropism)
         loss = np.array([segment["loss"] for segment in segments])
@@ -137,7 +143,7 @@ def test_branches_in_which_nothing_moves_change_nothing(letters, upright, draws)
         figure, segments, _ = compared(modules, upright)
         loss = np.array([segment["loss"] for segment in segments])
         assert (errors(figure, segments) < 1e-12 / loss).all()
-        assert figure.width == pytest.approx([segment["width"] for segment in segments], rel=1e-12)
+        assert agree(figure.width, [segment["width"] for segment in segments])
         left_out += figure.walk.branched and len(figure.walk.limbs.stayed) > 1
     assert left_out > draws // 4
 

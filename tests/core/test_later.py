@@ -72,7 +72,8 @@ def test_what_waits_is_a_module(name):
 def waiting():
     """What the core says will be imported later: a module, and what is meant of it."""
     for file in LIBRARY.glob("core/**/*.py"):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        text = file.read_text(encoding="utf-8")
+        for node in ast.walk(ast.parse(text)) if "later(" in text else ():
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "later":
                 if all(isinstance(argument, ast.Constant) for argument in node.args):
                     yield [argument.value for argument in node.args]

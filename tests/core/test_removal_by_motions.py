@@ -22,6 +22,13 @@ def is_free(path, part, others):
     return path.tolerance == 0 and path.clearance > 0 and overlaps(path, part, others, steps=12) < 1e-12
 
 
+@pytest.fixture(scope="module")
+def unlocked():
+    """The plug of a bayonet, what it stands in, and its path, which takes seconds to find."""
+    part, others = bayonet()
+    return part, others, sw.removal_path(part, others)
+
+
 def test_a_key_goes_along_its_slot_to_the_mouth_and_out():
     part, others = key_in_a_slot()
     path = sw.removal_path(part, others)
@@ -32,9 +39,8 @@ def test_a_key_goes_along_its_slot_to_the_mouth_and_out():
 
 
 @pytest.mark.thorough
-def test_a_bayonet_turns_to_its_slots_and_gets_out():
-    part, others = bayonet()
-    path = sw.removal_path(part, others)
+def test_a_bayonet_turns_to_its_slots_and_gets_out(unlocked):
+    part, others, path = unlocked
     assert is_free(path, part, others)
     first, last = path.legs
     assert abs(first.axis @ Z) == pytest.approx(1.0, abs=1e-9)
@@ -73,9 +79,8 @@ def test_turning_the_assembly_turns_a_path_of_several_legs():
 
 
 @pytest.mark.thorough
-def test_what_must_stay_empty_holds_the_part_on_legs_that_turn():
-    part, others = bayonet()
-    path = sw.removal_path(part, others)
+def test_what_must_stay_empty_holds_the_part_on_legs_that_turn(unlocked):
+    part, _, path = unlocked
     own = part.mesh()
     points = np.random.default_rng(1).uniform(own.vertices.min(axis=0), own.vertices.max(axis=0), (300, 3))
     inside = points[sw.classify(sw.solids.Triangles.of(own), points) > 0]  # the polyhedron, which is what moves
