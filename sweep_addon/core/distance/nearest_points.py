@@ -7,7 +7,7 @@ import numpy as np
 from ..declared.frozen import individual
 from ..vectors import norms
 from .tree import FAN
-from .triangles import closest, squared_distances
+from .triangles import nearest_places, squared_distances
 
 CHUNK = 1024  # points whose pairs with nodes, of eighteen numbers each, fit into a processor's own cache
 RELATIVE, ABSOLUTE = 4e-6, 1e-6  # of distances and of the size: rounding in single precision, with room
@@ -139,15 +139,18 @@ def lowest(values, point, count):
 
 
 def compared(tree, points, point, face, limit):
-    """The nearest of the triangles that pairs name, in double precision."""
-    places, parts = closest(points[point], tree.corners[face])
-    distances = norms(points[point] - places)
-    order = np.lexsort((face, distances, point))
-    first = order[np.append(True, point[order][1:] != point[order][:-1])[: len(order)]]
-    first = first[distances[first] <= limit]
-    where = point[first]
+    """The nearest of the triangles that pairs name, points rising, in double precision; of equally near the first."""
+    there = points.take(point, axis=0)
+    places, parts = nearest_places(there, tree.exact.take(face))
+    distances = norms(there - places)
+    best = np.flatnonzero(distances == lowest(distances, point, len(points)).take(point))
+    if (point[best[1:]] == point[best[:-1]]).any():
+        best = best[np.lexsort((face[best], point[best]))]
+        best = best[np.append(True, point[best[1:]] != point[best[:-1]])]
+    best = best[distances[best] <= limit]
+    where = point[best]
     count = len(points)
     found = np.zeros((count, 3)), np.full(count, limit, dtype=float), np.full(count, -1), np.zeros(count, dtype=int)
     for whole, part in zip(found, (places, distances, face, parts), strict=True):
-        whole[where] = part[first]
+        whole[where] = part[best]
     return found

@@ -9,7 +9,7 @@ import numpy as np
 from ..declared.frozen import individual
 from ..stations.rotations import any_normal
 from ..vectors import cross, dot, norms, unit
-from .triangles import placed
+from .triangles import Exact, placed
 
 FEWEST = 2  # triangles of a leaf; it has fewer than twice as many
 FAN = 4  # children of a node
@@ -77,6 +77,11 @@ class Tree:
     def rows(self):
         """(18, s k) float32 array: the triangles of all leaves, each placed in its own plane."""
         return placed(self.corners - self.middle).astype(np.float32).take(self.order.ravel(), axis=1)
+
+    @cached_property
+    def exact(self):
+        """The triangles in double precision, as `Exact`."""
+        return Exact.of(self.corners)
 
 
 def cut(corners, largest):

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..declared.frozen import individual
 from ..stations.rotations import any_normal
 from ..vectors import cross, dot, norms, unit
 
@@ -88,20 +89,70 @@ def closest(points, corners):
     >>> closest(np.array([(3.0, 3.0, 5.0)]), triangle)
     (array([[2., 2., 0.]]), array([2]))
     """
-    sides = np.roll(corners, -1, axis=1) - corners
-    away = points[:, None] - corners
-    squares = dot(sides, sides)
-    t = np.clip(dot(away, sides) / np.where(squares > 0, squares, 1), 0, 1)
-    on_edges = corners + t[:, :, None] * sides
-    edge = dot(points[:, None] - on_edges, points[:, None] - on_edges).argmin(axis=1)
-    row = np.arange(len(points))
-    places, t = on_edges[row, edge], t[row, edge]
-    ends = np.where(t <= 0, VERTEX + edge, VERTEX + (edge + 1) % 3)
-    part = np.where((t > 0) & (t < 1), EDGE + edge, ends)
-    normals = cross(sides[:, 0], sides[:, 1])
-    area = dot(normals, normals)
-    inside = (dot(cross(sides, away), normals[:, None]) > 0).all(axis=1) & (area > (THIN * squares.max(axis=1)) ** 2)
-    height = dot(away[inside, 0], normals[inside]) / area[inside]
-    places[inside] = points[inside] - height[:, None] * normals[inside]
+    return nearest_places(points, Exact.of(corners))
+
+
+@individual
+class Exact:
+    """Triangles in double precision, with what finding the nearest place of each takes; components are rows.
+
+    Parameters
+    ----------
+    corners, sides : (3, 3, m) float arrays
+        Component by component each corner, and the way from it to the next.
+    squares : (3, m) float array
+        Of the lengths of the sides; 1 for a side without length.
+    normals : (3, m) float array
+        As long as twice the area.
+    area : (m,) float array
+        The square of that; 0 for a triangle that is hardly more than its longest side.
+    """
+
+    corners: np.ndarray
+    sides: np.ndarray
+    squares: np.ndarray
+    normals: np.ndarray
+    area: np.ndarray
+
+    @classmethod
+    def of(cls, corners):
+        """Those of corners (m, 3, 3)."""
+        corners = np.ascontiguousarray(corners.transpose(2, 1, 0))
+        sides = np.roll(corners, -1, axis=1) - corners
+        squares = product(sides, sides)
+        (ax, ay, az), (bx, by, bz) = sides[:, 0], sides[:, 1]
+        normals = np.stack((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx))
+        area = product(normals, normals)
+        area[area <= (THIN * squares.max(axis=0)) ** 2] = 0.0
+        return cls(corners, sides, np.where(squares > 0, squares, 1.0), normals, area)
+
+    def take(self, which):
+        """Some of them, one for each of (n,)."""
+        return Exact(*(getattr(self, name).take(which, axis=-1) for name in self.__dataclass_fields__))
+
+
+def nearest_places(points, triangles):
+    """What `closest` finds, of points (n, 3) and as many `Exact` triangles."""
+    points, corners, sides = points.T[:, None], triangles.corners, triangles.sides
+    away = points - corners
+    t = np.minimum(np.maximum(product(away, sides) / triangles.squares, 0.0), 1.0)
+    on_edges = corners + t * sides
+    off = points - on_edges
+    edge = product(off, off).argmin(axis=0)
+    row = np.arange(len(edge))
+    places, t = on_edges[:, edge, row], t[edge, row]
+    ahead, (nx, ny, nz) = (edge + 1) % 3, triangles.normals
+    part = np.where(t <= 0, VERTEX + edge, np.where(t < 1, EDGE + edge, VERTEX + ahead))
+    (x, y, z), (u, v, w) = sides, away
+    within = ((y * w - z * v) * nx + (z * u - x * w) * ny + (x * v - y * u) * nz > 0).all(axis=0)
+    inside = np.flatnonzero(within & (triangles.area > 0))
+    normals = triangles.normals[:, inside]
+    height = product(away[:, 0, inside], normals) / triangles.area[inside]
+    places[:, inside] = points[:, 0, inside] - height * normals
     part[inside] = INTERIOR
-    return places, part
+    return places.T, part
+
+
+def product(a, b):
+    """The products of vectors whose components are rows: (3, ...) twice to (...)."""
+    return a[0] * b[0] + a[2] * b[2] + a[1] * b[1]  # in the order of `dot`

@@ -54,9 +54,15 @@ def neighbours(cells, asked):
         one, other = triangle[wanted[place]], triangle[other]
         differ = one != other
         low, high = np.minimum(one, other)[differ], np.maximum(one, other)[differ]
-        keys.append(np.unique(low.astype(np.int64) * len(cells) + high))
-    keys = np.unique(np.concatenate(keys))
+        keys.append(each_once(low.astype(np.int64) * len(cells) + high))
+    keys = each_once(np.concatenate(keys))
     return np.stack((keys // len(cells), keys % len(cells)), axis=1)
+
+
+def each_once(keys):
+    """The same numbers, rising: of a million `numpy.unique` of NumPy 2.3 and later takes twenty times as long."""
+    keys = np.sort(keys)
+    return keys[np.append(True, keys[1:] != keys[:-1])[: len(keys)]]
 
 
 def pierced(one, other, shared):

@@ -74,11 +74,16 @@ class Field:
 
         The search is quicker with a place of the surface near each.
         """
+        values, found = self.signed(points, hints)
+        away = np.sign(values)[:, None] * unit(points - found.places)
+        on = np.flatnonzero(found.distances <= ROUNDING * self.step)
+        away[on] = self.normals.at(found)[on]
+        return values, away
+
+    def signed(self, points, hints=None):
+        """The distance of points (n, 3), (n,), and where the solid is nearest, a `Nearest`."""
         found = nearest(self.tree, points, hints)
-        side = np.where(self.normals.outside(points, found), 1.0, -1.0)
-        away = points - found.places
-        on = found.distances <= ROUNDING * self.step
-        return side * found.distances, np.where(on[:, None], self.normals.at(found), side[:, None] * unit(away))
+        return np.where(self.normals.outside(points, found), found.distances, -found.distances), found
 
     def rough(self, points):
         """(n,) float array: the distance of points (n, 3) by interpolation; beyond the lattice from the solid's box."""

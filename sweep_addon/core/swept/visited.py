@@ -7,7 +7,7 @@ visited; where it is negative p has been visited. All poses are taken as a tree 
 pose is farther than another by more than the solid moves within it holds no nearest one.
 """
 
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -77,7 +77,7 @@ class Visited(AnyField):
         near = np.flatnonzero(np.abs(values) <= self.field.error)
         values[near] = self.exact(points[near], times[near])[0]
         near = near[(values[near] >= 0) & (values[near] <= CLEAR * self.field.step)]
-        values[near] = self.exact(points[near], self.nearer(points[near], times[near]))[0]
+        values[near] = self.exact(points[near], *self.nearer(points[near], times[near]))[0]
         return values < 0
 
     def normals(self, points, hints=None):
@@ -98,8 +98,8 @@ class Visited(AnyField):
             inside = inside[values[inside] <= CLEAR * self.field.step]
             if not len(inside):
                 break
-        times = self.nearer(places, times)
-        values, normals = self.exact(places, times)
+        times, feet = self.nearer(places, times)
+        values, normals = self.exact(places, times, feet)
         foot = places - values[:, None] * normals
         return dot(points - foot, normals), normals, times[:, None]
 
@@ -157,14 +157,15 @@ class Visited(AnyField):
         return least, time
 
     def nearer(self, points, times):
-        """Times near some at which the exact distance is least, by parabolas."""
-        here, feet = self.distances(points, times)
+        """Times near some at which the exact distance is least, by parabolas; and feet of points there."""
+        here, feet = self.distances(points, self.between(times))
         for width in EXACTLY:
-            before, after = (self.distances(points, self.held(times, side), feet)[0] for side in (-width, width))
+            sides = (self.between(self.held(times, side)) for side in (-width, width))
+            before, after = (self.distances(points, side, feet)[0] for side in sides)
             moved = self.held(times, width * least_of(before, here, after, FLAT * self.field.step))
-            there, feet = self.distances(points, moved, feet)
+            there, feet = self.distances(points, self.between(moved), feet)
             times, here = np.where(there < here, moved, times), np.minimum(there, here)
-        return times
+        return times, feet
 
     def held(self, time, step):
         """Times that are so much later, and still on their leg of the motion."""
@@ -174,67 +175,78 @@ class Visited(AnyField):
         return np.clip(time + step, self.first[pose], self.last[pose])
 
     def between(self, time):
-        """A function of values in all poses, (n, ...), that gives those at times, (k,): between the poses beside."""
+        """A function of the names of what is known of all poses that gives it at times, (k,): between those beside.
+
+        What is asked for twice is calculated once.
+        """
+        if time.dtype.kind == "i":
+            return cache(lambda name: self.known[name][0].take(time, axis=0))
         first = np.minimum(time.astype(int), len(self.scales) - 1)  # also of a number of a pose itself
-        second = (first + 1) % len(self.scales) if self.closed else np.minimum(first + 1, len(self.scales) - 1)
         part = time - first
 
-        def at(values):
-            if time.dtype.kind == "i":
-                return values[first]
-            return values[first] + part.reshape(-1, *(1,) * (values.ndim - 1)) * (values[second] - values[first])
+        def at(name):
+            before, changes = (values.take(first, axis=0) for values in self.known[name])
+            return before + part.reshape(-1, *(1,) * (before.ndim - 1)) * changes
 
-        return at
+        return cache(at)
 
-    def posed(self, points, time):
-        """Points (n, 3) as a solid at times (n,) has them; how they are turned; and how far some are from any of it.
+    @cached_property
+    def known(self):
+        """Of each name what is known of all poses, (n, ...), and how that changes until the next one."""
+        known = {"inverse": self.inverses, "scale": self.scales, **self.poses._asdict()}
+        del known["told"]
+        after = np.arange(1, len(self.scales) + 1)
+        after[-1] = 0 if self.closed else after[-1] - 1
+        return {name: (values, values[after] - values) for name, values in known.items()}
+
+    def posed(self, points, at):
+        """Points (n, 3) as a solid has them at times that `between` knows; and how far some are from any of it.
 
         What a deformation takes nowhere near is farther by as much.
         """
-        at = self.between(time)
-        inverse = at(self.inverses)
-        places, missed = np.einsum("nij,nj->ni", inverse, points - at(self.poses.origin)), 0.0
+        places = np.einsum("nij,nj->ni", at("inverse"), points - at("origin"))
         if self.motion.deforms:
-            places, missed = self.motion.undeformed(places, **{name: at(getattr(self.poses, name)) for name in "tus"})
-        return places, inverse, missed
+            return self.motion.undeformed(places, **{name: at(name) for name in "tus"})
+        return places, 0.0
 
     def rough(self, points, time):
         """The distance from the solid at times, by interpolation, or less."""
-        places, _, missed = self.posed(points, time)
-        return self.between(time)(self.scales) * self.field.rough(places) + missed
+        at = self.between(time)
+        places, missed = self.posed(points, at)
+        return at("scale") * self.field.rough(places) + missed
 
-    def distances(self, points, times, hints=None):
-        """How far points are from the solid at times, and where it is nearest, as it is itself: (n,), (n, 3).
+    def distances(self, points, at, hints=None):
+        """How far points are from the solid, and where it is nearest, as it is itself: (n,), (n, 3).
 
-        That is from where its own nearest place is then: a little farther than they are, where axes are scaled by
-        different factors. Hints are places of the solid itself near that.
+        That is from where its own nearest place is at times that `between` knows: a little farther than they are, where
+        axes are scaled by different factors. Hints are places of the solid itself near that.
         """
-        places, _, missed = self.posed(points, times)
-        values, normals = self.field.exact(places, hints)
-        at = self.between(times)
-        then = Poses(*(at(part) for part in self.poses[:-1]), ())
-        feet = places - values[:, None] * normals
-        return np.sign(values) * norms(points - self.motion.each(feet, then)) + missed, feet
+        places, missed = self.posed(points, at)
+        values, found = self.field.signed(places, hints)
+        then = Poses(*map(at, Poses._fields[:-1]), ())
+        return np.sign(values) * norms(points - self.motion.each(found.places, then)) + missed, found.places
 
-    def exact(self, points, times):
+    def exact(self, points, times, hints=None):
         """The distance from the solid at times, and its normals there: (n,), (n, 3).
 
-        Where axes are scaled by different factors it is that to first order: the value over its slope.
+        Where axes are scaled by different factors it is that to first order: the value over its slope. Hints are places
+        of the solid itself near where it is nearest.
         """
+        at = self.between(times)
         if self.motion.deforms:
-            values, slopes = self.distances(points, times)[0], self.slopes(points, times)
+            values, feet = self.distances(points, at, hints)
+            slopes = self.slopes(points, at, feet)
         else:
-            places, inverse, _ = self.posed(points, times)
-            values, normals = self.field.exact(places)
-            slopes = np.einsum("nij,ni->nj", inverse, normals)
+            values, normals = self.field.exact(self.posed(points, at)[0], hints)
+            slopes = np.einsum("nij,ni->nj", at("inverse"), normals)
         steep = norms(slopes)
         return values / np.where(steep > 0, steep, 1.0), unit(slopes)
 
-    def slopes(self, points, times):
+    def slopes(self, points, at, feet):
         """The slopes of the distance from a deformed solid, by differences at times that are kept: (n, 3)."""
         step, slopes = DIFFERENCE * self.field.step, np.empty((len(points), 3))
-        for axis in range(3):
-            ahead, behind = (self.distances(points + side * step * np.eye(3)[axis], times)[0] for side in (1, -1))
+        for axis, way in enumerate(step * np.eye(3)):
+            ahead, behind = (self.distances(points + side * way, at, feet)[0] for side in (1, -1))
             slopes[:, axis] = (ahead - behind) / (2 * step)
         return slopes
 

@@ -6,6 +6,7 @@ A point x of the generator goes to t(u) + F(u) Rz Ry Rx S d(x, t): first it is d
 generator's axes, turned about its x, y and z axis, put into the frame, and moved.
 """
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ from ..stations.frames import Parallel, axes
 from ..stations.rotations import turned
 from ..stations.sampling import place, stations
 from ..trajectories.arc_length import arc_length
-from ..vectors import norms
+from ..vectors import columns, cross, dot, norms
 from .laws import Constant, Law
 from .legs import between, legs, on_leg
 
@@ -104,11 +105,11 @@ class Motion:
     def each(self, points, poses):
         """Where points of the generator, (n, 3), are in a pose each: (n, 3)."""
         if self.deforms:
-            known = dict(zip("xyz", points.T, strict=True)) | {name: getattr(poses, name) for name in "tus"}
+            known, given = {name: getattr(poses, name) for name in "tus"}, points
             points = points.copy()
-            for axis, formula in enumerate(self.formulas):
+            for axis in self.moved:
                 with at(f"deform_{'xyz'[axis]}"):
-                    points[:, axis] = compile(formula, PLACES).evaluate(**known)
+                    points[:, axis] = self.taken(axis, given, known)
         return np.einsum("nij,nj->ni", poses.matrix, points) + poses.origin
 
     def deformed(self, points, poses):
@@ -138,23 +139,48 @@ class Motion:
         missed : (n,) float array
             How far from their places they are taken: more than rounding where there is no such point near.
         """
-        formulas = [compile(formula, PLACES) for formula in self.formulas]
-
-        def taken(points):
-            place = dict(zip("xyz", points.T, strict=True))
-            return np.stack([formula.evaluate(**place, **known) for formula in formulas], axis=1)
-
         size = max(float(np.abs(places).max(initial=0.0)), 1e-300)
-        points, off = places.copy(), taken(places) - places
+        points = places.copy()
+        off = self.displaced(points, known) - places
         for _ in range(ROUNDS):
             if np.abs(off).max(initial=0.0) <= SAME * size:
                 break
-            step = DIFFERENCE * size
-            slopes = np.stack([taken(points + step * axis) - off - places for axis in np.eye(3)], axis=2) / step
-            slopes[np.abs(np.linalg.det(slopes)) < SINGULAR] = np.eye(3)
-            points -= np.linalg.solve(slopes, off[..., None])[..., 0]
-            off = taken(points) - places
+            points -= solved(self.slopes(points, known, off + places, DIFFERENCE * size), off)
+            off = self.displaced(points, known) - places
         return points, norms(off)
+
+    @cached_property
+    def moved(self):
+        """The axes along which something is deformed: a list."""
+        return [axis for axis, name in enumerate("xyz") if self.formulas[axis].strip() != name]
+
+    def displaced(self, points, known):
+        """Where a deformation takes points (n, 3) with a t, a u and an s each: (n, 3)."""
+        made = columns(points.shape)
+        for axis in range(3):
+            made[:, axis] = self.taken(axis, points, known) if axis in self.moved else points[:, axis]
+        return made
+
+    def taken(self, axis, points, known):
+        """Where it takes them along an axis: (n,), or a number of a formula that is constant."""
+        formula, known = compile(self.formulas[axis], PLACES), known | dict(zip("xyz", points.T, strict=True))
+        found = formula.run(known)
+        if not np.isfinite(found).all():
+            formula.evaluate(**known)  # refuses, and says where
+        return found
+
+    def slopes(self, points, known, found, step):
+        """How what it makes of points, found (n, 3), changes along each axis: three (n, 3) float arrays."""
+        slopes = []
+        for axis, way in zip("xyz", np.eye(3), strict=True):
+            slope = columns(points.shape)
+            slope[:] = way
+            for other in self.moved:
+                changes = axis in compile(self.formulas[other], PLACES).names
+                beside = self.taken(other, points + step * way, known) if changes else found[:, other]
+                slope[:, other] = (beside - found[:, other]) / step
+            slopes.append(slope)
+        return slopes
 
     @property
     def rigid(self):
@@ -164,7 +190,7 @@ class Motion:
     @property
     def deforms(self):
         """Whether anything is deformed."""
-        return any(formula.strip() != name for formula, name in zip(self.formulas, "xyz", strict=True))
+        return len(self.moved) > 0
 
     def comes_back(self, points):
         """Whether a closed trajectory brings points of the generator back to where they began."""
@@ -225,6 +251,16 @@ class Motion:
             return np.sqrt(norms(bends).max(axis=1) / (8 * chord))
 
         return place(self.trajectory, samples, (), steps)
+
+
+def solved(slopes, off):
+    """The steps (n, 3) that lead as far as off (n, 3), by Cramer's rule; where slopes turn no way back, off itself."""
+    one, two, three = slopes
+    across = cross(two, three)
+    size = dot(one, across)
+    steps = np.stack((dot(off, across), dot(one, cross(off, three)), dot(one, cross(two, off))), axis=1)
+    singular = np.abs(size) < SINGULAR
+    return np.where(singular[:, None], off, steps / np.where(singular, 1.0, size)[:, None])
 
 
 def about(axis, angle):

@@ -13,7 +13,7 @@ from ...declared.parameters import at
 from ...formulas.expressions import compile
 from ...shapes.general_sweep import PLACES
 from ...trajectories.arc_length import arc_length
-from ...vectors import norms
+from ...vectors import columns, norms
 from .boxes import APART, from_box, scattered
 from .changes import ASIDE, FLATTEST, Change, Own, speeds
 from .linear import LEAST, solved
@@ -47,6 +47,7 @@ class Deformation(Change):
     def __init__(self, motion, box):
         measure = arc_length(motion.trajectory)
         self.total, self.formulas = measure.total, [compile(formula, PLACES) for formula in motion.formulas]
+        self.bent = motion.moved  # axes along which it changes
 
         def laws(s):
             u, t = measure.parameter(s), s / measure.total
@@ -76,13 +77,20 @@ class Deformation(Change):
 
         What is told is refused there with a sentence.
         """
-        s, u, *scales = known.T
-        names = dict(zip("xyz", places.T, strict=True)) | {"t": s / self.total, "u": u, "s": s}
-        made = np.empty((len(places), 3))
-        for axis, (formula, scale) in enumerate(zip(self.formulas, scales, strict=True)):
-            with at(f"deform_{'xyz'[axis]}"):
-                made[:, axis] = scale * (formula.evaluate(**names) if told else formula.run(names))
+        made = columns(places.shape)
+        for axis in range(3):
+            made[:, axis] = self.along(axis, places, known, told)
         return made
+
+    def along(self, axis, places, known, told=False):
+        """The same along one axis: (n,)."""
+        s, u, *scales = known.T
+        if axis not in self.bent:
+            return scales[axis] * places[:, axis]
+        names, formula = dict(zip("xyz", places.T, strict=True)), self.formulas[axis]
+        names |= {"t": s / self.total, "u": u, "s": s}
+        with at(f"deform_{'xyz'[axis]}"):
+            return scales[axis] * (formula.evaluate(**names) if told else formula.run(names))
 
     def maps(self, places, s):
         """The derivatives of what is made of places (n, 3): (n, 3, 3), a column for each direction."""
@@ -91,11 +99,15 @@ class Deformation(Change):
 
     def derived(self, places, known, here):
         """The derivatives at places that are taken here: (n, 3, 3)."""
-        step, made = STEP * self.size, np.empty((len(places), 3, 3))
+        step, made = STEP * self.size, np.zeros((3, 3, len(places))).transpose(2, 0, 1)
         inward = np.where(places > self.box.mean(axis=0), -step, step)  # formulas may end where the solid does
-        for axis in range(3):
-            there = self.taken(places + inward * np.eye(3)[axis], known)
-            made[:, :, axis] = (there - here) / inward[:, axis, None]
+        for axis, name in enumerate("xyz"):
+            there = places + inward * np.eye(3)[axis]
+            for along in range(3):
+                if along not in self.bent:
+                    made[:, along, axis] = known[:, 2 + along] if along == axis else 0.0
+                elif name in self.formulas[along].names:
+                    made[:, along, axis] = (self.along(along, there, known) - here[:, along]) / inward[:, axis]
         return made
 
     def look(self):
@@ -158,10 +170,12 @@ class Deformation(Change):
             better = far < missed[active]
             best[active[better]], missed[active[better]] = own[better], far[better]
             halved[active] = np.where(better, 0, halved[active] + 1)
-            going = (missed[active] > EXACT * self.reach) & (halved[active] <= HALVINGS)
-            active, own, off, better, here = (part[going] for part in (active, own, off, better, here))
-            own = (own + best[active]) / 2
-            slopes = self.derived(own[better], known[active[better]], here[better])
-            own[better] += solved(slopes, off[better], ASIDE)
+            going = np.flatnonzero((missed[active] > EXACT * self.reach) & (halved[active] <= HALVINGS))
+            active, own, off, better, here = (part.take(going, axis=0) for part in (active, own, off, better, here))
+            own = (own + best.take(active, axis=0)) / 2
+            better = np.flatnonzero(better)
+            start, here, off = (part.take(better, axis=0) for part in (own, here, off))
+            slopes = self.derived(start, known.take(active.take(better), axis=0), here)
+            own[better] = start + solved(slopes, off, ASIDE)
             own = np.clip(own, *self.room)
         return best, missed
