@@ -23,6 +23,7 @@ from sweep_addon.core.vectors import unit
 
 CUBE = Block(0.4, 0.4, 0.4)
 RANDOM = 250 if FULL else 2 if BRIEF else 5  # of each of five solids one
+CELLS = 48 if FULL else 32  # of solids whose bounds are parts of a cell
 
 
 # Planar figures
@@ -210,7 +211,7 @@ def coarse(shape, size):
 
 @pytest.mark.thorough
 def test_a_block_along_a_line_is_a_longer_block():
-    mesh, off = coarse(GeneralSweep(CUBE, Line()), 0.16 * 1.4)
+    mesh, off = coarse(GeneralSweep(CUBE, Line(), cells=CELLS), 0.16 * 1.4)
     assert mesh.volume() == pytest.approx(0.16 * 1.4, rel=off)
     assert_solid(mesh, 2)
 
@@ -219,7 +220,7 @@ def test_a_block_along_a_line_is_a_longer_block():
 def test_a_block_along_a_diagonal():
     """A box along a vector w: its volume and the shadows of its sides, the sum of |w| area."""
     way = (0.5, 0.7, 0.3)
-    mesh, off = coarse(GeneralSweep(CUBE, Line(end=way), cells=48), 1)
+    mesh, off = coarse(GeneralSweep(CUBE, Line(end=way), cells=CELLS), 1)
     assert mesh.volume() == pytest.approx(0.4**3 + 0.16 * sum(way), abs=off)
     assert_solid(mesh, 2)
 
@@ -227,7 +228,7 @@ def test_a_block_along_a_diagonal():
 @pytest.mark.thorough
 def test_a_ball_round_a_circle_is_a_torus():
     ball = Ball(0.25, points=48)
-    mesh, off = coarse(GeneralSweep(ball, Arc(1.0, 2 * pi), cells=48), 1)
+    mesh, off = coarse(GeneralSweep(ball, Arc(1.0, 2 * pi), cells=CELLS), 1)
     assert mesh.volume() == pytest.approx(2 * pi**2 * 0.25**2, abs=off)
     assert_solid(mesh, 0)
 
@@ -236,7 +237,7 @@ def test_a_ball_round_a_circle_is_a_torus():
 def test_a_rod_that_turns_about_its_middle_fills_a_disc():
     """Across the axis at x it is a slab, whose corners are sqrt(0.25 + 0.05^2 - x^2) away: the discs of that add up."""
     rod = Cylinder(0.05, 1.0, points=32)
-    mesh, off = coarse(GeneralSweep(rod, Line(end=(0, 1e-6, 0)), turn_x="pi*t", cells=48), 1)
+    mesh, off = coarse(GeneralSweep(rod, Line(end=(0, 1e-6, 0)), turn_x="pi*t", cells=CELLS), 1)
     assert mesh.volume() == pytest.approx(pi * (0.25 * 0.1 + 4 / 3 * 0.05**3), abs=off)
     assert_solid(mesh, 2)
 
@@ -253,7 +254,7 @@ def test_a_hole_along_the_way_stays_and_one_across_it_closes():
 @pytest.mark.thorough
 def test_a_growing_ball_is_a_cone_with_round_ends():
     """Balls of radius 0.1 + 0.2 z along z: the cone that touches them and both caps, in closed form."""
-    shape = GeneralSweep(Ball(0.1, points=48), Line(), cells=48, **{f"scale_{a}": "1 + 2*t" for a in "xyz"})
+    shape = GeneralSweep(Ball(0.1, points=48), Line(), cells=CELLS, **{f"scale_{a}": "1 + 2*t" for a in "xyz"})
     mesh, off = coarse(shape, 1)
     assert mesh.volume() == pytest.approx(cone_sphere(0.1, 0.3, 1.0), abs=off)
     assert_solid(mesh, 2)
@@ -295,7 +296,7 @@ def test_points_are_told_as_all_poses_tell_them():
 @pytest.mark.thorough
 def test_a_deformed_solid_is_where_its_points_went():
     """Every vertex of the solid in every pose is inside or on the surface, and the surface touches some of them."""
-    shape = GeneralSweep(Bracket(), Line(end=(0, 0, 2)), deform_x="x + 0.1*sin(6*y + 4*pi*t)", cells=40)
+    shape = GeneralSweep(Bracket(), Line(end=(0, 0, 2)), deform_x="x + 0.1*sin(6*y + 4*pi*t)", cells=CELLS // 2)
     mesh, swept = shape.mesh(), shape.swept()
     assert_solid(mesh, 2)
     poses, _, step = swept.close
@@ -310,7 +311,7 @@ def test_random_motions_of_solids_are_closed_manifold_and_outward():
     for number in range(RANDOM):
         solid = (CUBE, Ball(0.2, 12), Cylinder(0.2, 0.5, 12), Bracket(), DrilledBlock(points=12))[number % 5]
         turns = {f"turn_{axis}": f"{rng.uniform(-4, 4):.3f}*t" for axis in "xyz"}
-        mesh = GeneralSweep(solid, Bezier(rng.uniform(-1, 1, (4, 3))), cells=24, **turns).mesh()
+        mesh = GeneralSweep(solid, Bezier(rng.uniform(-1, 1, (4, 3))), cells=CELLS // 2, **turns).mesh()
         assert not len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges()) and mesh.volume() > 0
 
 

@@ -7,6 +7,7 @@ from math import tau
 
 import numpy as np
 import pytest
+from conftest import FULL
 
 import sweep_addon as sw
 from sweep_addon.core.membership import blocks, members
@@ -27,7 +28,7 @@ def points_about(shape, count, seed=0):
 @pytest.mark.thorough
 @pytest.mark.parametrize("shape", [HELIX, SPINDLE, RING - sw.solids.Ball(0.4)])
 def test_labels_are_the_same_for_any_number_of_threads(shape, monkeypatch):
-    points = points_about(shape, 250_000)
+    points = points_about(shape, 250_000 if FULL else 100_000)
     found = []
     for threads in (1, 2, 5):
         monkeypatch.setattr(blocks, "processors", lambda threads=threads: threads)

@@ -6,6 +6,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from conftest import FULL
 
 import sweep_addon as sw
 from sweep_addon.core.membership.sets.bodies import MeshBody
@@ -68,7 +69,7 @@ def hit(start, way, corners):
 @pytest.mark.thorough
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_square_moved_along_its_normal_is_a_block(tolerance):
-    points = np.random.default_rng(1).uniform(-0.2, 1.2, (20_000, 3))
+    points = np.random.default_rng(1).uniform(-0.2, 1.2, (20_000 if FULL else 6_000, 3))
     beyond = np.maximum(-points, points - 1)
     far = np.linalg.norm(np.maximum(beyond, 0), axis=1) + np.minimum(beyond.max(axis=1), 0)
     band = tolerance or 1e-8
@@ -255,7 +256,7 @@ def test_a_tube_without_ends_that_moves_across_is_its_skins_way():
 def test_what_a_sheet_leaves_may_move_once_more_and_be_an_operand():
     """A square moved up and then aside is a block; less another block it is an angle."""
     twice = sw.SweptSolid(sw.SweptSolid(SQUARE, UP), sw.trajectories.Line(end=(1, 0, 0)))
-    points = np.random.default_rng(11).uniform((-0.2, -0.2, -0.2), (2.2, 1.2, 1.2), (300, 3))
+    points = np.random.default_rng(11).uniform((-0.2, -0.2, -0.2), (2.2, 1.2, 1.2), (300 if FULL else 60, 3))
     far = (np.abs(points - (1, 0.5, 0.5)) - (1, 0.5, 0.5)).max(axis=1)
     clear = np.abs(far) > 2e-3
     assert (sw.classify(twice, points, 1e-3) == np.sign(-far))[clear].all()

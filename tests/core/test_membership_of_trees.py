@@ -10,6 +10,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conftest import FULL
 from membership_shapes import CHORD, SHAPES, body, closed
 
 import sweep_addon as sw
@@ -20,7 +21,7 @@ pytestmark = pytest.mark.thorough
 
 SLOW = ("spindle", "moved block", "offset outside")  # to make meshes of
 LEAVES = [name for name in SHAPES if name not in SLOW]
-POINTS, DEEPEST = 4_000, 5
+POINTS, DEEPEST = 4_000 if FULL else 1_500, 5
 
 
 @cache

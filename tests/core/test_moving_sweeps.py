@@ -6,6 +6,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from conftest import FULL
 
 import sweep_addon as sw
 from sweep_addon.core.membership.members import member
@@ -16,6 +17,7 @@ CONE = sw.GeneralizedCylinder(
     sw.contours.Circle(1.0), sw.trajectories.Line(end=(0, 0, 2)), scale_x="1 - t", scale_y="1 - t"
 )
 BALL = sw.RotationalSweep(HALF_DISC)
+POINTS = 400 if FULL else 150
 UP, ASIDE = sw.trajectories.Line(end=(0, 0, 2)), sw.trajectories.Line(end=(3, 0, 0))
 
 
@@ -157,7 +159,7 @@ def test_a_moving_sweep_is_where_its_poses_are(name):
     """A point that is in at some pose is in; one that is in is no farther from a pose than a step and the tolerance."""
     shape, tolerance, count = sw.SweptSolid(MOVED[name], TURNING), 2e-3, 400
     low, high = member(shape).box
-    points = np.random.default_rng(2).uniform(low, high, (400, 3))
+    points = np.random.default_rng(2).uniform(low, high, (POINTS, 3))
     labels = sw.classify(shape, points, tolerance)
     matrix, origin = poses(shape, count)
     back = np.einsum("pji,npj->npi", matrix, points[:, None] - origin).reshape(-1, 3)

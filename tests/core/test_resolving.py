@@ -183,7 +183,7 @@ def test_random_curves_have_the_volume_that_they_visit_but_for_the_judges_own_er
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("count", [12, pytest.param(200, marks=pytest.mark.large)])
+@pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.large)])
 def test_solids_of_random_curves_have_no_slivers(count):
     solids = 0
     for seed in range(count):

@@ -5,6 +5,7 @@
 import numpy as np
 import pytest
 from brute_force import crossing_faces, tube_volume
+from conftest import FULL
 from test_reach import helix_reach
 
 from sweep_addon.core.contours import Circle, Ellipse, Outline, Rectangle, RegularPolygon, Star
@@ -211,7 +212,7 @@ def random_shape(seed):
 
 @pytest.mark.thorough
 def test_of_random_curves_the_verdict_is_that_of_all_pairs_of_triangles(draws):
-    for seed in range(draws // 5):
+    for seed in range(draws // 5 if FULL else draws // 8):
         shape = random_shape(seed)
         mesh, places, tangents = shape.mesh(), shape.self_intersections(), shape.swept().stations.tangent
         if np.einsum("ij,ij->i", tangents[1:], tangents[:-1]).min() < 0:

@@ -60,7 +60,7 @@ CONVEX = {
     "few": mesh_of(hull_body(np.random.default_rng(0).normal(size=(26, 3)))),
     "many": ellipsoid(1000),
 }
-HOLLOW = {"bracket": Bracket().mesh(), "drilled block": DrilledBlock().mesh()}
+HOLLOW = {"bracket": Bracket().mesh(), "drilled block": DrilledBlock(points=24).mesh()}
 
 
 def size(mesh):
@@ -133,8 +133,8 @@ def test_a_level_set_around_a_convex_solid_has_steiners_volume_to_second_order(n
 
 
 @pytest.mark.thorough
+@pytest.mark.parametrize("side", Side)  # of all of which the union is the same
 @pytest.mark.parametrize("name", HOLLOW)
-@pytest.mark.parametrize("side", Side)
 def test_rounded_faces_and_level_sets_agree(name, side):
     """Two ways to the same set, one from inside, one with chords on both sides: as near as their tolerances."""
     solid = HOLLOW[name]
@@ -162,14 +162,14 @@ def test_a_tube_grows_by_the_radius():
     """A knot of radius 0.3 m becomes one of 0.5 m while that is less than its reach: Weyl's formula for both."""
 
     def tube(radius):
-        return GeneralizedCylinder(Circle(radius, points=32), TorusKnot(2, 3, major=2.0, minor=0.8), Count(300)).mesh()
+        return GeneralizedCylinder(Circle(radius, points=32), TorusKnot(2, 3, major=2.0, minor=0.8), Count(150)).mesh()
 
     solid = tube(0.3)
     assert not is_convex(*triangulated(solid))
     found = offset(solid, 0.2)
     assert found.engine == Engine.LEVEL_SET
     assert assert_valid(found, euler=0).volume() == pytest.approx(tube(0.5).volume(), rel=4e-3)
-    inner = offset(solid, 0.1, Side.INSIDE, tolerance=0.002)
+    inner = offset(solid, 0.1, Side.INSIDE, tolerance=0.004)
     assert assert_valid(inner, euler=0).volume() == pytest.approx(tube(0.2).volume(), rel=1e-2)
 
 
@@ -186,7 +186,7 @@ def boxed(vertices, triangles):
 @pytest.mark.parametrize("radius", [0.2, 1.5])
 def test_no_faces_cross_where_creases_run_into_each_other(radius):
     """A knot of a star: valleys between its arms, and beyond its reach where strands meet. All near pairs are asked."""
-    solid = GeneralizedCylinder(Star(5, 0.5, 0.3), TorusKnot(2, 3, major=2.0, minor=0.8), Count(200)).mesh()
+    solid = GeneralizedCylinder(Star(5, 0.5, 0.3), TorusKnot(2, 3, major=2.0, minor=0.8), Count(120)).mesh()
     found = offset(solid, radius)
     assert_valid(found)
     assert not len(crossing_pairs(found.vertices, found.triangles, boxed(found.vertices, found.triangles)))

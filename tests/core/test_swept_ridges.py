@@ -7,6 +7,7 @@ from math import hypot, pi
 
 import numpy as np
 import pytest
+from conftest import FULL
 
 from sweep_addon.core.meshes.facets import facets
 from sweep_addon.core.shapes.general_sweep import GeneralSweep
@@ -64,29 +65,29 @@ def torus(points):
     return np.hypot(np.hypot(points[:, 0], points[:, 1]) - 1, points[:, 2]) - 0.25
 
 
-WAY = (1.0, 0.2, 0.1)
+WAY, CELLS = (1.0, 0.2, 0.1), 48 if FULL else 32
 SWEEPS = {
     "a block along a line": (
-        GeneralSweep(Block(0.4, 0.2, 0.3), Line(end=WAY)),
+        GeneralSweep(Block(0.4, 0.2, 0.3), Line(end=WAY), cells=CELLS),
         moved_block((0.4, 0.2, 0.3), WAY),
     ),
     "a block round a circle": (
-        GeneralSweep(Block(0.4, 0.3, 0.2), Arc(1.0, 2 * pi), frame="rotation-minimizing"),
+        GeneralSweep(Block(0.4, 0.3, 0.2), Arc(1.0, 2 * pi), frame="rotation-minimizing", cells=CELLS),
         plate(hypot(1.2, 0.1), 0.8, 0.15),
     ),
     "a cube along an arc": (
-        GeneralSweep(Block(0.4, 0.4, 0.4), Arc(1.0, pi / 2), frame="rotation-minimizing"),
+        GeneralSweep(Block(0.4, 0.4, 0.4), Arc(1.0, pi / 2), frame="rotation-minimizing", cells=CELLS),
         quarter(0.8, hypot(1.2, 0.2), 0.2),
     ),
     "a rod that turns about its middle": (
-        GeneralSweep(Block(0.9, 0.2, 0.2), Line(end=(0, 0, 1e-6)), turn_z="pi*t"),
+        GeneralSweep(Block(0.9, 0.2, 0.2), Line(end=(0, 0, 1e-6)), turn_z="pi*t", cells=CELLS),
         plate(hypot(0.45, 0.1), -1.0, 0.1),
     ),
     "a cylinder across its axis": (
         GeneralSweep(Cylinder(0.2, 0.4, 96), Arc(0.5, 2 * pi), cells=32),
         plate(0.7, 0.3, 0.2),
     ),
-    "a ball round a circle": (GeneralSweep(Ball(0.25, 128), Arc(1.0, 2 * pi)), torus),
+    "a ball round a circle": (GeneralSweep(Ball(0.25, 128), Arc(1.0, 2 * pi), cells=CELLS), torus),
 }
 
 

@@ -3,7 +3,7 @@
 """Two parts that know nothing of each other agree: membership, told from the motion, has vertices of meshes on.
 
 Chords leave out what is between vertices, but not these. The random sweeps are clean or not, and of few contours or
-many; with `--full` there are forty times as many, twenty of each kind.
+many; with `--full` there are forty times as many, twenty of each kind, and more places of each.
 """
 
 from dataclasses import replace
@@ -19,7 +19,7 @@ from sweep_addon.core.stations.sampling import Count
 pytestmark = pytest.mark.thorough
 
 DRAWN, MORE = (20 if FULL else 1), 6  # of each trajectory with each frame, and times as many of each other kind
-PLACES = 300  # of a mesh at most
+PLACES = 300 if FULL else 120  # of a mesh at most
 TRIED = 20  # for each that is made: some are refused
 EXACT = 1e-9  # of the size: a hundred times what the motion is known to
 FOLDED = 1e-7  # where contours run backward what passes through a point does so at an angle that may be small
