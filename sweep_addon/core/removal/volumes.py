@@ -11,7 +11,7 @@ from ..trajectories import Arc, Line
 from ..vectors import cross, dot, norms
 from .legs import poses
 
-CELLS = 48  # across the mesh of a leg that turns
+CELLS = 48  # across the mesh of a leg, where any turns
 
 
 def swept(body, legs):
@@ -46,7 +46,7 @@ def swept_leg(body, leg, pose):
     """The sweep of a body on a leg from a pose, as a sweep of triangles that is placed there."""
     vertices = pose.of(body.vertices)
     if not leg.turns:
-        return SweptSolid(Triangles(vertices, body.triangles), Line(end=tuple(leg.way)))
+        return SweptSolid(Triangles(vertices, body.triangles), Line(end=tuple(leg.way)), cells=CELLS)
     # seen from the axis, which is z, a point of it the origin
     axes = about(leg.axis)
     seen, way = (vertices - leg.pivot) @ axes, leg.way @ axes

@@ -4,8 +4,8 @@
 
 import re
 
+from ..text.modules import after_blanks
 from ..text.passages import Passage, shown
-from .words import after_blanks
 
 COMMENT = re.compile(r"/[*/]")
 DEFINED = re.compile(r"\s*#\s*define\s+([A-Za-z_]\w*)(\(([^()]*)\))?\s*(.*)", re.DOTALL)

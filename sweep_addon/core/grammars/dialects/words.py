@@ -5,7 +5,7 @@
 import re
 from typing import NamedTuple
 
-from ..text.modules import BLANK, bracketed
+from ..text.modules import after_blanks, bracketed
 from ..text.passages import Passage, shown
 
 FRACTION = re.compile(r"0*\.\d*[1-9]\d*", re.ASCII)
@@ -52,19 +52,13 @@ def modules(passage: Passage, named=single):
         name = named(text, at)
         if name in "()" or not "!" <= name[0] <= "~":
             passage.refuse("a module", at)
-        here, parameters = at, ()
-        at = BLANK.match(text, at + len(name)).end()
-        if text.startswith("(", at):
+        here, parameters, at = at, (), after_blanks(text, at + len(name))
+        if text[at : at + 1] == "(":
             parts, at = bracketed(passage, at)
             parameters = tuple(part.text for part in parts)
-            at = BLANK.match(text, at).end()
+            at = after_blanks(text, at)
         found.append(Said(name, here, parameters))
     return found
-
-
-def after_blanks(text, at):
-    """The next place that is no blank, or the end."""
-    return BLANK.match(text, at).end()
 
 
 def unknown(passage, said, what="a symbol that has a meaning here"):

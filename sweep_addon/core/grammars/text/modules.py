@@ -23,7 +23,7 @@ MOST_PARAMETERS = 32
 BLANKS = re.compile(r"(?<!\w)\s+|\s+(?!\w)", re.ASCII)  # all that part no words
 NAME = re.compile(rf"[A-Za-z_{GREEK}][\w{GREEK}]*", re.ASCII)
 BLANK = re.compile(r"\s*")
-BRACKET = re.compile("[(),]")
+BRACKET, ONLY = re.compile("[(),]"), re.compile(r"\([^(),]*\)")  # one parameter without brackets, as most have
 ORGAN = re.compile(r"~([a-z]{2,}\w*)", re.ASCII)  # names of organs; capitals follow each other without blanks
 UNSET = Expression("0", (), (0.0,))  # of a query, until a turtle fills it in
 
@@ -129,11 +129,10 @@ class Alphabet:
                 name = self.named(text, at)
             if name in NEVER or not "!" <= name[0] <= "~":
                 passage.refuse("a module", at)
-            here, arguments = at, ()
-            at = BLANK.match(text, at + len(name)).end()
-            if text.startswith("(", at):
+            here, arguments, at = at, (), after_blanks(text, at + len(name))
+            if text[at : at + 1] == "(":
                 arguments, at = bracketed(passage, at)
-                at = BLANK.match(text, at).end()
+                at = after_blanks(text, at)
             found.append(Letter(name, here, arguments))
         return found
 
@@ -186,6 +185,11 @@ def patterns(letters):
     return made
 
 
+def after_blanks(text, at):
+    """The next place that is no blank, or the end."""
+    return BLANK.match(text, at).end() if text[at : at + 1].isspace() else at
+
+
 def undeclared(text, letters):
     """The place and the name of the first organ that is written as a word and read as letters, or the end and nothing.
 
@@ -216,6 +220,9 @@ def parameter(passage, names, vocabulary, drawn):
 def bracketed(passage, start):
     """The passages between commas in the brackets that open at a place, and where these end."""
     text, depth, begin, found = passage.text, 0, start + 1, []
+    only = ONLY.match(text, start)
+    if only:
+        return (passage.part(begin, only.end() - 1),), only.end()
     for match in BRACKET.finditer(text, start):
         letter, at = match.group(), match.start()
         if letter == "(":
