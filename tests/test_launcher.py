@@ -18,6 +18,27 @@ scene = bpy.context.scene
 scene.render.engine, scene.cycles.samples = "CYCLES", 1
 scene.render.resolution_x = scene.render.resolution_y = 16
 """
+AGAIN = """
+import subprocess
+print(subprocess.run([bpy.app.binary_path, "--version"]).returncode, "again")
+"""
+
+
+@pytest.fixture(scope="module")
+def version():
+    """What is answered to who asks for the version."""
+    return blender("--version")
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    """The folder in which one Blender has rendered, after it ran a script twice and started itself; and its words."""
+    folder = tmp_path_factory.mktemp("session")
+    script = folder / "a script.py"
+    script.write_text("import bpy, sys; print(bpy.context.scene.frame_start, sys.argv[sys.argv.index('--') + 1 :])")
+    options = ("-s", 3, "--python", script, "-s", 4, "--python", script, "--python-expr", SMALL_SCENE + AGAIN)
+    frames = folder / "frames"
+    return frames, blender(*options, "-o", frames / "###", "-F", "PNG", "-f", "2,5..6", "--", "--engine", "own").stdout
 
 
 def blender(*arguments):
@@ -25,13 +46,13 @@ def blender(*arguments):
     return subprocess.run(command, capture_output=True, text=True, timeout=120)
 
 
-def test_version_is_a_supported_one():
-    answer = blender("--version").stdout
+def test_version_is_a_supported_one(version):
+    answer = version.stdout
     major, minor = answer.split()[1].split(".")[:2]
     assert answer.startswith("Blender ") and (int(major), int(minor)) >= (4, 5)
 
 
-def test_a_terminal_is_told_which_blender_it_is_and_how_to_get_another():
+def test_a_terminal_is_told_which_blender_it_is_and_how_to_get_another(version):
     pty = pytest.importorskip("pty", reason="Windows has no such terminals")
     screen, terminal = pty.openpty()
     done = subprocess.run([LAUNCHER, "--version"], stdout=subprocess.PIPE, stderr=terminal, text=True, timeout=120)
@@ -40,7 +61,7 @@ def test_a_terminal_is_told_which_blender_it_is_and_how_to_get_another():
     os.close(screen)
     assert "scripts/blender: " in told and "SWEEP_BLENDER=" in told and "BLENDER=PROGRAM" in told
     assert done.stdout.startswith("Blender ")
-    assert "scripts/blender: " not in blender("--version").stderr  # nor is a log
+    assert "scripts/blender: " not in version.stderr  # nor is a log
 
 
 @pytest.mark.parametrize(
@@ -56,20 +77,16 @@ def test_exit_code_is_blenders(options, code):
     assert blender(*options).returncode == code
 
 
-def test_options_act_in_order_and_arguments_after_two_dashes_are_the_script_s(tmp_path):
-    script = tmp_path / "a script.py"
-    script.write_text("import bpy, sys; print(bpy.context.scene.frame_start, sys.argv[sys.argv.index('--') + 1 :])")
-    answer = blender("-s", 3, "--python", script, "-s", 4, "--python", script, "--", "--engine", "own")
-    lines = [line for line in answer.stdout.splitlines() if "own" in line]
-    assert lines == ["3 ['--engine', 'own']", "4 ['--engine', 'own']"], answer.stdout
+def test_options_act_in_order_and_arguments_after_two_dashes_are_the_script_s(session):
+    _, told = session
+    lines = [line for line in told.splitlines() if "own" in line]
+    assert lines == ["3 ['--engine', 'own']", "4 ['--engine', 'own']"], told
 
 
-def test_rendered_frames_are_named_by_their_number(tmp_path):
-    answer = blender("--python-expr", SMALL_SCENE, "-o", tmp_path / "###", "-F", "PNG", "-f", "2,5..6")
-    assert sorted(path.name for path in tmp_path.glob("*")) == ["002.png", "005.png", "006.png"], answer.stdout
+def test_rendered_frames_are_named_by_their_number(session):
+    frames, told = session
+    assert sorted(path.name for path in frames.glob("*")) == ["002.png", "005.png", "006.png"], told
 
 
-def test_a_script_can_start_the_same_blender():
-    expression = "import bpy, subprocess; print(subprocess.run([bpy.app.binary_path, '--version']).returncode, 'again')"
-    answer = blender("--python-expr", expression)
-    assert "0 again" in answer.stdout, answer.stdout
+def test_a_script_can_start_the_same_blender(session):
+    assert "0 again" in session[1], session[1]

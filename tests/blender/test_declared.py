@@ -98,17 +98,18 @@ def test_numbers_of_enum_items_are_those_of_their_names(shape):
                 assert len(set(numbers)) == len(numbers) and all(0 <= number < 2**23 for number in numbers)
 
 
-COARSE = {"cells": 8, "tolerance": 0.05}  # of a mesh that is made anew for each choice and in each frame
+COARSE = {"cells": 8, "tolerance": 0.1}  # of a mesh that is made anew for each choice and in each frame
 
 
 def test_a_keyframe_of_any_choice_is_that_choice_again(scene, shape):
     ob = sw.to_object(shape(**{name: value for name, value in COARSE.items() if name in properties(shape)}))
     group = getattr(ob.data.sweep, spelled(shape, "_"))
-    for name, known in groups(shape)[0].items():
-        if known.type == "ENUM":
-            for number, item in enumerate(known.enum_items):
-                setattr(group, name, item.identifier)
-                group.keyframe_insert(name, frame=number)
+    with rna.at_once(ob.data.sweep):  # each frame makes a mesh anyway
+        for name, known in groups(shape)[0].items():
+            if known.type == "ENUM":
+                for number, item in enumerate(known.enum_items):
+                    setattr(group, name, item.identifier)
+                    group.keyframe_insert(name, frame=number)
     for frame in range(12):
         bpy.context.scene.frame_set(frame)
         for name, known in groups(shape)[0].items():

@@ -12,7 +12,7 @@ from scenes import shown
 
 import sweep_addon as sw
 
-TREES, POINTS, DEEPEST = 200 if FULL else 8 if BRIEF else 25, 400, 5
+TREES, POINTS, DEEPEST = 200 if FULL else 4 if BRIEF else 25, 400, 5
 BAND = 2e-3  # metres: the chord error of a circle of 0.6 m and 64 points is 7e-4
 
 

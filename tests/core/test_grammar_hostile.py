@@ -180,7 +180,7 @@ RUNAWAY = {  # text, generations
 def test_a_runaway_derivation_is_stopped_in_time_and_memory(name):
     """Arrays of formulas and of contexts come on top of the budget, and what is a fixed number of blocks of them."""
     told, generations = RUNAWAY[name]
-    budget = Budget(modules=1_000_000, bytes=20_000_000, seconds=0.5 if FULL else 0.2)
+    budget = Budget(modules=1_000_000, bytes=20_000_000, seconds=0.5 if FULL else 0.1)
     system = LSystem.parse(told)
     system.compiled  # noqa: B018 whose time is that of the text
     for measured in (0, 1):

@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 from sequential_turtle import left_beside, walk
 from test_grammar_conformance import ENTRIES, by_id, text
 
+from sweep_addon.core.formulas.expressions import Expression
 from sweep_addon.core.grammars import LSystem
+from sweep_addon.core.grammars.text.modules import Module
 
 DRAWN = [entry for entry in ENTRIES if "geometry" in entry]
 ALONG_X = {"H": np.array([1.0, 0, 0]), "L": np.array([0, 1.0, 0]), "U": np.array([0, 0, 1.0])}
@@ -53,9 +55,8 @@ def random_word(draw, letters, count, told=0.5):
 
 def compared(modules, upright, tropism=None, angle=25.0):
     """The figure of a word, and the segments of the reference beside it."""
-    told = "".join(name + (f"({parameters[0]!r})" if parameters else "") for name, parameters in modules)
-    lines = [f"#tropism {' '.join(map(repr, tropism))}"] if tropism else []
-    system = LSystem.parse("\n".join([*lines, f"#angle {angle!r}", f"axiom: {told or 'X'}"]))
+    word = [Module(name, tuple(Expression(repr(p), (), (p,)) for p in parameters)) for name, parameters in modules]
+    system = LSystem(tuple(word) or (Module("X"),), angle=angle, tropism=tropism)  # what a text of it is read as
     segments, at = walk(modules, UPWARDS if upright else ALONG_X, angle, tropism=tropism)
     figure = system.derive(0).figure(upright=upright)
     assert np.array_equal(figure.place, [segment["place"] for segment in segments])

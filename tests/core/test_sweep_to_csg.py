@@ -4,6 +4,7 @@
 
 import json
 from collections import Counter
+from functools import cache
 
 import numpy as np
 import pytest
@@ -33,6 +34,12 @@ def extruded(outline, **given):
     return sw.TranslationalSweep(sw.contours.Outline([np.stack([x, y], axis=1)], [bulge]), 3.0, **given)
 
 
+@cache
+def converted(number):
+    """The tree of a real outline's extrusion, which is asked in several ways."""
+    return sw.sweep_to_csg(extruded(REAL[number]))
+
+
 def test_a_plate_with_round_corners_is_a_block_less_four_fillets():
     tree = sw.sweep_to_csg(sw.TranslationalSweep(PLATE, 0.1))
     assert kind(tree.base) == "block"
@@ -53,10 +60,9 @@ def test_the_mesh_of_a_tree_is_one_closed_surface_with_the_volume_of_the_sweep(e
     Arcs that are a single chord in the sweep are two in its primitives, which changes its volume by less than chords.
     """
     pytest.importorskip("manifold3d", reason="meshes of trees are asked of manifold3d")
-    for outline in REAL[::every]:
-        sweep = extruded(outline)
-        mesh = sw.sweep_to_csg(sweep).mesh()
-        assert mesh.volume() == pytest.approx(sweep.mesh().volume(), rel=1e-3)
+    for number in range(0, len(REAL), every):
+        outline, mesh = REAL[number], converted(number).mesh()
+        assert mesh.volume() == pytest.approx(extruded(outline).mesh().volume(), rel=1e-3)
         assert not len(mesh.boundary_edges()) and not len(mesh.non_manifold_edges())
         assert mesh.euler_characteristic() == 2, outline["id"]
 
@@ -84,8 +90,8 @@ def test_membership_of_a_tree_is_that_of_the_outline(every, samples):
 
 
 def test_every_operand_of_a_tree_is_a_primitive():
-    for outline in REAL[::12]:
-        assert {kind(operand) for operand in operands(sw.sweep_to_csg(extruded(outline)))} <= set(KINDS)
+    for number in range(0, len(REAL), 12):
+        assert {kind(operand) for operand in operands(converted(number))} <= set(KINDS)
 
 
 @pytest.mark.parametrize(
