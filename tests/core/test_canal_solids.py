@@ -44,11 +44,11 @@ def visited(shape, count):
 
 def outside(places, middles, radii):
     """The places in no ball, of balls a few at a time, that are spread over all: (n, d)."""
-    for some in (slice(start, None, 80) for start in range(80)):
-        middle = middles[some]
-        squared = (places**2).sum(axis=1)[:, None] - 2 * places @ middle.T + (middle**2).sum(axis=1)
-        places = places[(squared >= radii[some] ** 2).all(axis=1)]
-    return places
+    beyond = np.stack((*-2 * middles.T, (middles**2).sum(axis=1) - radii**2, np.ones_like(radii)))  # squares less radii
+    left = np.column_stack((places, np.ones(len(places)), (places**2).sum(axis=1)))
+    for start in range(80):
+        left = left[(left @ beyond[:, start::80] >= 0).all(axis=1)]
+    return left[:, : places.shape[1]]
 
 
 @pytest.mark.parametrize(

@@ -79,7 +79,7 @@ def test_side_on_which_a_smooth_frame_goes_on_does_not_hang_on_rounding():
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", range(2 if FULL else 1))
 @pytest.mark.parametrize("frame", [Frenet(), EXACT, FixedUp()], ids=["smooth", "exact", "up"])
 @pytest.mark.parametrize("kind", [Sampled, Polyline])
 def test_side_of_a_frame_does_not_hang_on_how_many_contours_there_are(kind, frame, seed):

@@ -64,7 +64,7 @@ def near_a_leaf(leaves, points):
     return found
 
 
-@pytest.mark.parametrize("seed", [*range(12), *(pytest.param(n, marks=pytest.mark.large) for n in range(12, 200))])
+@pytest.mark.parametrize("seed", [*range(8), *(pytest.param(n, marks=pytest.mark.large) for n in range(8, 200))])
 def test_a_tree_is_where_its_mesh_is(seed):
     rng = np.random.default_rng(seed)
     tree, meshes, leaves = grown(rng, DEEPEST if seed % 4 == 0 else 1 + seed % 4)

@@ -181,7 +181,7 @@ def norms_between(places):
 def test_sweeping_a_union_of_sweeps_is_sweeping_each():
     a, b = OVAL, BENT
     low, high = member(sw.SweptSolid(a | b, TURNING)).box
-    points = np.random.default_rng(3).uniform(low, high, (1500, 3))
+    points = np.random.default_rng(3).uniform(low, high, (4 * POINTS, 3))
     whole = sw.classify(sw.SweptSolid(a | b, TURNING), points, 1e-4)
     each = np.maximum(*(sw.classify(sw.SweptSolid(part, TURNING), points, 1e-4) for part in (a, b)))
     assert (whole == each)[each != 0].all() and (whole[each == 0] >= 0).all()

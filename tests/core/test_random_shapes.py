@@ -156,16 +156,16 @@ FLAT = {
 }
 
 
-def drawn(make):
+def drawn(make, count=DRAWN):
     """Random meshes of a kind that were not refused."""
     made = 0
-    for seed in range(DRAWN):
+    for seed in range(count):
         try:
             yield make(np.random.default_rng(seed))
             made += 1
         except ShapeError:
             continue
-    assert made >= (1 - REFUSED) * DRAWN - 2
+    assert made >= (1 - REFUSED) * count - 2
 
 
 def assert_sound(mesh):
@@ -175,12 +175,12 @@ def assert_sound(mesh):
     assert len(np.unique(mesh.corners)) == len(mesh.vertices), "loose vertices"
 
 
-LONG = {"solid in general motion": pytest.mark.thorough}
+LONG = {"solid in general motion": pytest.mark.thorough}  # of which test_general_sweep.py draws too
 
 
 @pytest.mark.parametrize("kind", [pytest.param(kind, marks=LONG.get(kind, ())) for kind in SOLID])
 def test_random_solids_are_closed_manifold_and_outward(kind):
-    for mesh in drawn(SOLID[kind]):
+    for mesh in drawn(SOLID[kind], DRAWN // 2 if kind in LONG and not FULL else DRAWN):
         assert_sound(mesh)
         assert len(mesh.boundary_edges()) == 0 and mesh.volume() > 0
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which triangles of a dual surface cross each other."""
 
+from functools import reduce
+
 import numpy as np
 
 from ..contours.ranges import ranges
@@ -31,7 +33,7 @@ def crossing_pairs(vertices, triangles, cells, asked=None):
     found = [pairs[:0]]
     for some in np.array_split(pairs, max(len(pairs) // 200_000, 1)):
         one, other = triangles[some].swapaxes(0, 1)
-        low, high = (np.stack([part(vertices[t], axis=1) for t in (one, other)]) for part in (np.min, np.max))
+        low, high = (np.stack([reduce(part, vertices[t.T]) for t in (one, other)]) for part in (np.minimum, np.maximum))
         near = ((low[0] <= high[1]) & (low[1] <= high[0])).all(axis=1)
         some, one, other = some[near], one[near], other[near]
         shared = one[:, :, None] == other[:, None, :]

@@ -87,14 +87,14 @@ def tidily_united(pieces, cuts, progress):
 
 def step_by_step(pieces, progress):
     """The body of all pieces; neighbours are united first, and every few of them progress is told."""
-    done, group = [], []
+    done, group, count = [], [], len(pieces)  # which takes as long as finding them
     for number, bodies in enumerate(pieces, 1):
         group += bodies
-        if len(group) >= GROUP or number == len(pieces):
+        if len(group) >= GROUP or number == count:
             done.append(united(group))
             done[-1].status()  # or it would wait until all of them are asked for
             group = []
-            progress(number / (len(pieces) + 1))
+            progress(number / (count + 1))
     return united(done)
 
 
