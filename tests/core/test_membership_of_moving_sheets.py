@@ -102,7 +102,7 @@ def test_a_sheet_moved_straight_visits_what_lines_back_from_meet(name, way):
     body, way = SHEETS[name], np.array(way)
     vertices = body.vertices.values
     low, high = vertices.min(axis=0) + np.minimum(way, 0), vertices.max(axis=0) + np.maximum(way, 0)
-    points = np.random.default_rng(3).uniform(low - 0.1, high + 0.1, (4_000, 3))
+    points = np.random.default_rng(3).uniform(low - 0.1, high + 0.1, (4_000 if FULL else 1_500, 3))
     labels = sw.classify(sw.GeneralSweep(body, sw.trajectories.Line(end=tuple(way))), points)
     visited = hit(points, -way, vertices[body.faces.values.astype(int)])
     assert (labels == np.where(visited, 1, -1)).all()
@@ -132,7 +132,7 @@ def test_a_triangle_turned_about_one_of_its_edges_is_a_part_of_a_cone(tolerance)
     own = np.einsum("ji,kj->ki", poses.matrix[0], np.array([*rest, (1.5, 0.0, 0.0)]) - poses.origin[0])
     assert np.abs(about.motion.posed(own[:2], poses) - rest).max() < 1e-12
     sweep = sw.GeneralSweep(sw.solids.Triangles(own, [(0, 1, 2)]), arc, frame=sw.frames.FixedUp())
-    points = np.random.default_rng(5).uniform((-1.6, -1.6, -0.6), (1.6, 1.6, 0.6), (20_000, 3))
+    points = np.random.default_rng(5).uniform((-1.6, -1.6, -0.6), (1.6, 1.6, 0.6), (20_000 if FULL else 6_000, 3))
     across, angle = np.hypot(points[:, 0], points[:, 1]), np.arctan2(points[:, 1], points[:, 0])
     cone = (np.abs(points[:, 2]) * 3 + across - 1.5) / np.sqrt(10)
     ends = np.maximum(-across * np.sin(angle), across * np.sin(angle - 2))  # both half planes; the part is convex
@@ -149,7 +149,7 @@ def test_a_square_round_a_circle_is_a_ring_without_ends():
     arc = sw.trajectories.Arc(2.0, 2 * pi)
     square = sw.solids.Triangles(SQUARE.vertices.values - (0.5, 0.5, 0), SQUARE.faces)
     ring = sw.GeneralSweep(square, arc, frame="rotation-minimizing")
-    points = np.random.default_rng(6).uniform((-2.7, -2.7, -0.7), (2.7, 2.7, 0.7), (20_000, 3))
+    points = np.random.default_rng(6).uniform((-2.7, -2.7, -0.7), (2.7, 2.7, 0.7), (20_000 if FULL else 6_000, 3))
     points[:4000, 1] *= points[:4000, 0] < 0  # in the plane in which it begins
     far = np.maximum(np.abs(np.hypot(points[:, 0], points[:, 1]) - 2), np.abs(points[:, 2])) - 0.5
     labels = sw.classify(ring, points)
