@@ -9,6 +9,7 @@ import pytest
 from planted_assemblies import caged_ball, dovetail, drawer, overlaps, shelled, turned
 
 import sweep_addon as sw
+from sweep_addon.core.csg import Placed
 from sweep_addon.core.meshes.polyhedron import polyhedron
 from sweep_addon.core.removal.directions import candidates
 from sweep_addon.core.removal.finding import scene_of
@@ -171,6 +172,21 @@ def test_what_must_stay_empty_holds_the_part_on_its_whole_way_and_is_a_prism(pla
     inside = points[sw.classify(part, points) > 0]
     assert len(inside) > 100
     for matrix in path.matrices(8):
+        assert (sw.classify(path.swept(), inside @ matrix[:3, :3].T + matrix[:3, 3]) >= 0).all()
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 2.0])
+def test_what_must_stay_empty_has_no_films_within(angle):
+    """The prisms of faces that lead meet the part and each other: of a part with ribs, nothing is left between them."""
+    upright = sw.solids.Cylinder(0.2, 1.0, points=16) | Block(0.6, 0.1, 0.1)
+    part = Placed(upright, [(np.cos(angle), -np.sin(angle), 0, 0), (np.sin(angle), np.cos(angle), 0, 0), (0, 0, 1, 0)])
+    path = sw.removal_path(part, [Block(0.1, 0.1, 0.1).moved(x=3)], distance=0.8)
+    mesh, own = path.swept().mesh(), part.mesh()
+    assert mesh.euler_characteristic() == 2
+    points = np.random.default_rng(2).uniform(own.vertices.min(axis=0), own.vertices.max(axis=0), (4000, 3))
+    inside = points[sw.classify(sw.solids.Triangles.of(own), points) > 0]
+    assert len(inside) > 500
+    for matrix in path.matrices(3):
         assert (sw.classify(path.swept(), inside @ matrix[:3, :3].T + matrix[:3, 3]) >= 0).all()
 
 

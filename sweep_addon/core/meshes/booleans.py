@@ -12,6 +12,7 @@ import numpy as np
 
 from ..declared.parameters import ShapeError, require
 from .facets import bent_facets
+from .films import without_films
 from .polyhedron import polyhedron
 
 MISSING = "needs the library manifold3d, which is missing here: pip install manifold3d"
@@ -103,9 +104,10 @@ def arrays(body):
 
 
 def mesh_of(body):
-    """The body as a `Mesh` of triangles."""
+    """The body as a `Mesh` of triangles, without films between what was united."""
     vertices, triangles, _ = arrays(body)
-    return polyhedron(vertices, triangles)
+    used, corners = np.unique(without_films(vertices, triangles), return_inverse=True)
+    return polyhedron(vertices[used], corners.reshape(-1, 3))
 
 
 def union(meshes):
