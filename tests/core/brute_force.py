@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Judges of self-intersection that know nothing of sweeps: all pairs of triangles of a mesh, and counted volume."""
+"""Judges that know nothing of sweeps: all pairs of triangles of a mesh, counted volume, distances from triangles."""
 
 import numpy as np
 
@@ -66,3 +66,18 @@ def tube_volume(trajectory, radius, random, points=40_000, samples=1_000):
         inside += np.count_nonzero(squared.min(axis=1) < radius**2)
     share, box = inside / points, np.prod(high - low)
     return box * share, box * np.sqrt(share * (1 - share) / points)
+
+
+def distances(points, corners):
+    """How far points (n, 3) are from the nearest of some triangles (f, 3, 3): above its middle, or beside an edge."""
+    least = np.full(len(points), np.inf)
+    for triangle in corners:
+        start, sides = triangle[0], triangle[1:] - triangle[0]
+        along = np.linalg.lstsq(sides.T, (points - start).T, rcond=None)[0]
+        above = (along >= 0).all(axis=0) & (along.sum(axis=0) <= 1)
+        height = np.linalg.norm(points - start - along.T @ sides, axis=1)
+        least = np.where(above, np.minimum(least, height), least)
+        for one, other in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
+            share = ((points - one) @ (other - one) / ((other - one) @ (other - one))).clip(0, 1)
+            least = np.minimum(least, np.linalg.norm(points - one - share[:, None] * (other - one), axis=1))
+    return least

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from brute_force import crossing_faces
+from brute_force import crossing_faces, distances
 from contour_inputs import OUTLINES, drawn
 
 from sweep_addon.core.contours import Circle, Star
@@ -130,6 +130,18 @@ def test_a_level_set_around_a_convex_solid_has_steiners_volume_to_second_order(n
         errors.append(1 - assert_valid(found, euler=2).volume() / expected)
         assert_between(solid, found)
     assert 0 < errors[2] < 1.5e-3 and errors[0] / errors[2] > 10
+
+
+@pytest.mark.parametrize("points", [16, 48])
+def test_triangles_of_rounded_faces_are_as_far_as_is_told(points):
+    """Of these blocks a union puts four triangles across others, up to 6 mm too far out, or leaves a piece out."""
+    solid = DrilledBlock(points=points).mesh()
+    found = offset(solid, 0.025)
+    assert found.engine == Engine.ROUNDED_FACES
+    vertices, triangles = triangulated(solid)
+    far = distances(found.vertices[found.triangles].mean(axis=1), vertices[triangles])
+    assert (far > found.lower - 1e-9).all() and (far < found.upper + 1e-9).all()
+    assert (found.lower > 0.024).all() and (found.upper <= 0.025).all()
 
 
 @pytest.mark.thorough
@@ -257,6 +269,8 @@ def test_refusals():
     flipped = polyhedron(block.vertices, triangulated(block)[1][:, ::-1])
     with pytest.raises(ShapeError, match="must look outwards"):
         offset(flipped, 0.1)
+    with pytest.raises(ShapeError, match="radius: must leave something of the solid inside, got 0.3"):
+        offset(Bracket().mesh(), 0.3, Side.INSIDE, engine=Engine.ROUNDED_FACES)
 
 
 @pytest.mark.thorough

@@ -10,6 +10,7 @@ from ..declared.frozen import individual
 from ..declared.options import Engine, Side
 from ..declared.parameters import ShapeError, require
 from ..declared.wording import shown
+from ..distance import Tree, nearest
 from ..meshes.facets import bent_facets
 from ..meshes.polyhedron import polyhedron
 from ..progress import unheard, within
@@ -30,6 +31,7 @@ ACROSS = 64  # cells across, where nobody asks for a tolerance and the radius is
 ARC = 0.1  # radians between neighbours on arcs, where nobody asks for a tolerance
 SIDES = 16  # meridians of the ball, where nobody asks for a tolerance
 MOST_SIDES = 64
+ROUNDED = 4  # steps of single precision: as far as tidying may move what a union has made
 MOST_DIRECTIONS = 1_000_000  # of domes: the hull of as many takes some seconds
 MOST_PRODUCTS = 20_000_000_000  # of directions and vertices
 PLACES = 27 * np.sqrt(3) / 4  # that are looked at for each square of a surface as large as a face of a cell
@@ -195,14 +197,32 @@ def meridians(radius, tolerance):
 
 
 def by_faces(vertices, triangles, radius, side, tolerance, progress):
-    """The offset of a solid of few faces."""
-    swept = rounded(
-        vertices, triangles, radius, int(min(meridians(radius, tolerance), MOST_SIDES)), within(progress, 0, 0.9)
-    )
-    grown, shrunk = offset_bodies(vertices, triangles, swept.body)
-    made = tidied_arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
-    count = len(made[1])
-    return *made, np.full(count, swept.inscribed * radius), np.full(count, radius)
+    """The offset of a solid of few faces; where their union has gone wrong, they are united in another order."""
+    sides, share = int(min(meridians(radius, tolerance), MOST_SIDES)), within(progress, 0, 0.9)
+    surface = Tree.of(vertices[triangles])
+    for faces in (triangles, triangles[::-1]):
+        swept = rounded(vertices, faces, radius, sides, share)
+        grown, shrunk = offset_bodies(vertices, triangles, swept.body)
+        made = tidied_arrays({Side.OUTSIDE: grown, Side.INSIDE: shrunk, Side.SHELL: swept.body}[side])
+        lower, upper = distances_kept(*made, surface, swept.inscribed * radius, radius)
+        if (upper <= radius).all() and (lower >= swept.inscribed * radius).all():
+            break
+    return *made, lower, upper
+
+
+def distances_kept(vertices, triangles, surface, least, most):
+    """Bounds of the distances of triangles from a surface: the least and the most, where their middles keep these.
+
+    Sometimes a union puts a triangle across many others, or leaves some out. One is as far as its middle, but for its
+    size.
+    """
+    corners = vertices[triangles]
+    middle = corners.mean(axis=1)
+    far = nearest(surface, middle).distances
+    reach = norms(corners - middle[:, None]).max(axis=1, initial=0.0)
+    slack = ROUNDED * float(np.spacing(np.float32(np.abs(vertices).max(initial=0.0))))
+    wrong = (far < least - slack) | (far > most + slack)
+    return np.where(wrong, np.maximum(far - reach, 0), least), np.where(wrong, far + reach, most)
 
 
 def by_level_set(vertices, triangles, radius, side, tolerance, progress):

@@ -15,6 +15,8 @@ def without_specks(vertices, triangles):
 
     Cavities are shells of their own and stay.
     """
+    if not len(triangles):
+        return np.zeros(0, bool)
     pairs = np.concatenate((triangles[:, :2], triangles[:, 1:]))
     shell = components(len(vertices), pairs)[triangles[:, 0]]
     a, b, c = (vertices - vertices.mean(axis=0))[triangles].swapaxes(0, 1)
