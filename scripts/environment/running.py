@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 from . import BUILD, CHECKOUT
 
-TIMEOUT = 7200 if os.environ.get("SWEEP_FULL") == "1" else 1800  # two hosts share the processors
+TIMEOUT = 7200 if os.environ.get("SWEEP_FULL") == "1" else 1800  # hosts share the processors
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from pathlib import Path
 from . import BUILD, CHECKOUT, hosts
 from .running import Counts
 
-AT_ONCE = 2  # a Blender and its tests take a gigabyte
+AT_ONCE = 3  # for two processors: one host or another waits for downloads or for its window. Each takes a gigabyte
 LONGEST = "plain Python", "real Blender", "installed zip", "window", "bpy wheel", "NumPy alone"  # the last is shortest
 SCRIPT = CHECKOUT / "scripts" / "test"
 
@@ -29,7 +29,7 @@ def run(chosen, arguments):
         Handed to pytest on every host.
     """
     begun = sorted(chosen, key=lambda name: LONGEST.index(name) if name in LONGEST else -1)  # style takes a second
-    with ThreadPoolExecutor(min(AT_ONCE, os.cpu_count() or 1)) as pool:
+    with ThreadPoolExecutor(min(AT_ONCE, (os.cpu_count() or 1) + 1)) as pool:
         results = dict(pool.map(lambda name: (name, result(name, arguments)), begun))
     return [results[name] for name in chosen]
 
