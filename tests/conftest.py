@@ -9,8 +9,9 @@ library inside the extension, so that no module exists twice. Blender's user fol
 A test that asks for the `scene` fixture gets an empty scene, and is skipped where there is no Blender.
 A test marked `large` runs only with ``SWEEP_FULL=1``, which also draws many more random inputs
 and hypothesis examples. ``SWEEP_BRIEF=1`` says that other hosts do the same at length: then fewer are drawn,
-and tests marked `thorough` are skipped, but for one in ten of those that have so many cases; of what another host runs
-with the same NumPy or in the same Blender, the bpy wheel and the installed zip run one in ten tests of each file.
+of tests of the core that have ten cases or more one in ten is run, and of those marked `thorough` no others; of what
+another host runs with the same NumPy or in the same Blender, the bpy wheel and the installed zip run one in ten tests
+of each file.
 ``SWEEP_FAST=1`` leaves out those that slow.txt names, as `scripts/slow_tests` has measured them.
 """
 
@@ -44,7 +45,7 @@ KEPT = 10  # of ten cases or more of a thorough test, one in so many is for ever
 THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python, or with SWEEP_FULL=1")
 
 settings.register_profile("brief", deadline=None, database=None, derandomize=True, max_examples=10)
-settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=50)
+settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=30)
 settings.register_profile("full", deadline=None, database=None, derandomize=True, max_examples=1000)
 settings.load_profile("full" if FULL else "brief" if BRIEF else "usual")
 
@@ -160,9 +161,10 @@ def pytest_collection_modifyitems(config, items):
             if item.nodeid.partition("[")[0] in slow:
                 item.add_marker(SLOW)
     if BRIEF:
-        for item in left_to_others([item for item in items if item.get_closest_marker("thorough")]):
+        left = set(left_to_others(items))
+        for item in left:
             item.add_marker(THOROUGH)
-        for item in run_elsewhere(items, folders_run_elsewhere(config)):
+        for item in run_elsewhere((item for item in items if item not in left), folders_run_elsewhere(config)):
             item.add_marker(ELSEWHERE)
 
 
@@ -193,13 +195,18 @@ def run_elsewhere(items, folders):
             yield item
 
 
-def left_to_others(thorough):
-    """The items that hosts leave out which are brief: all, but every tenth of a test that has ten cases or more."""
-    cases = Counter(map(test_of, thorough))
+def left_to_others(items):
+    """The items that hosts leave out which are brief.
+
+    Of a test that has ten cases or more, and is thorough or of the core, all but every tenth; all of a thorough one
+    that has fewer.
+    """
+    cases = Counter(map(test_of, items))
     number = defaultdict(itertools.count)
-    for item in thorough:
+    for item in items:
         test = test_of(item)
-        if cases[test] < KEPT or next(number[test]) % KEPT:
+        thorough, many = bool(item.get_closest_marker("thorough")), cases[test] >= KEPT
+        if (thorough or many and CORE in item.path.parents) and not (many and next(number[test]) % KEPT == 0):
             yield item
 
 
@@ -212,7 +219,7 @@ def test_of(item):
 @pytest.fixture
 def draws():
     """How many random inputs a test draws; where each takes long, it is a part of them."""
-    return 1000 if FULL else 30 if BRIEF else 150
+    return 1000 if FULL else 30 if BRIEF else 100
 
 
 MADE = {}  # meshes by their shapes
