@@ -6,6 +6,7 @@ from math import tau
 
 import numpy as np
 
+from ..turns import cosines
 from ..vectors import cross, dot, unit
 
 
@@ -37,8 +38,9 @@ def rotated(normals, axis, angle):
     """Turn unit normals about the unit axes they are perpendicular to."""
     if not angle.any():
         return normals.copy("K")
-    found, across = np.cos(angle)[:, None] * normals, cross(axis, normals)
-    across *= np.sin(angle)[:, None]
+    cosine, sine = cosines(angle)
+    found, across = cosine[:, None] * normals, cross(axis, normals)
+    across *= sine[:, None]
     found += across
     return found
 

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Turning about the z axis: a point that goes round it and rises evenly, and the derivatives of its way."""
 
-import numpy as np
-
+from ..turns import cosines
 from ..vectors import columns
 from .curve import row
 
@@ -33,7 +32,7 @@ def turning(radius, u, rise, *orders):
     ([[2.0, 0.0, 0.0]], [[2.0, 3.0]])
     """
     u = row(u)
-    x, y = radius * np.cos(u), radius * np.sin(u)
+    x, y = (radius * part for part in cosines(u))
     quarters = (x, y), (-y, x), (-x, -y), (y, -x)  # a derivative is a quarter of a turn ahead
     return tuple(placed(*quarters[order % 4], rise * u if order == 0 else rise * (order == 1)) for order in orders)
 
