@@ -21,9 +21,9 @@ INTRODUCTION = f"""
 ### Overhead
 
 What the extension costs while nobody uses it. Enabling: medians of {STARTS} Blenders just started. It imports no
-NumPy, as the first sweep does: that is measured after it, in the same Blenders. Playing: {SWEEPS} sweeps in the scene
-and an animation of an empty, milliseconds a frame, the extension enabled and disabled in turns of {FRAMES} frames;
-medians of {ROUNDS} turns.
+NumPy, as the first sweep does: that is measured after it; of the wheel, which has it, in a Python of its own. Playing:
+{SWEEPS} sweeps in the scene and an animation of an empty, milliseconds a frame, the extension enabled and disabled in
+turns of {FRAMES} frames; medians of {ROUNDS} turns.
 """
 
 

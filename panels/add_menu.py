@@ -14,7 +14,7 @@ from . import previews
 
 kinds, presets = later("core.shapes.kinds"), later("presets")
 
-FOLDER = os.path.join(os.path.dirname(__file__), "..", "sweep_addon", "presets")  # read when a menu is drawn
+FOLDER = os.path.join(os.path.dirname(__file__), "..", "sweep_addon", "presets")  # its files are read later
 GROUPS = sorted({entry.name for entry in os.scandir(FOLDER) if entry.is_dir()} - {"l_system", "__pycache__"})
 ROWS = 20  # presets one below the other: all are in sight on a screen of 900 pixels
 

@@ -41,8 +41,8 @@ SLOW = pytest.mark.skip(reason="slow: runs without SWEEP_FAST=1 (scripts/test --
 TESTS = CHECKOUT / "tests"
 CORE, BLENDER, LAUNCHER = TESTS / "core", TESTS / "blender", TESTS / "test_launcher.py"
 ELSEWHERE = pytest.mark.skip(reason="runs in another host with the same NumPy or Blender, or with SWEEP_FULL=1")
-KEPT = 10  # of ten cases or more of a thorough test, one in so many is for every host
-THOROUGH = pytest.mark.skip(reason="thorough: runs without SWEEP_BRIEF=1, in plain Python, or with SWEEP_FULL=1")
+KEPT = 10  # of ten cases or more of a test, one in so many is for every host
+THOROUGH = pytest.mark.skip(reason="plain Python runs it, without SWEEP_BRIEF=1; others with SWEEP_FULL=1")
 
 settings.register_profile("brief", deadline=None, database=None, derandomize=True, max_examples=10)
 settings.register_profile("usual", deadline=None, database=None, derandomize=True, max_examples=30)

@@ -46,7 +46,7 @@ class Environment:
 
 BLENDER = Environment("Python with the bpy wheel", CHECKOUT / ".venv", python_with_wheel, ("-e", ".[blender,test]"))
 PLAIN = Environment("plain Python", BUILD / "venv" / "plain", any_python, ("-e", ".[test]"))
-OLDEST = ("numpy~=1.26.4; python_version < '3.13'", "numpy")  # the bpy wheel's, where it has a wheel itself
+OLDEST = ("numpy~=1.26.4; python_version < '3.13'", "numpy")  # the bpy wheel's; newer Pythons need a newer one
 NUMPY = Environment("NumPy alone", BUILD / "venv" / "numpy", any_python, (*OLDEST, "pytest", "hypothesis"))
 
 

@@ -6,30 +6,35 @@ from math import isqrt
 
 import numpy as np
 
-MANY = 256  # angles, from which on it takes less time to look whether they are evenly spaced
+MANY = 4096  # angles, from which on it takes less time, with the look whether they are evenly spaced
 EVEN = 4 * np.finfo(float).eps  # of the largest angle: what rounding makes of evenly spaced ones
 
 
 def cosines(angles):
-    """The cosines and sines of angles in radians, (n,) each; of evenly spaced ones in a third of the time.
+    """The cosines and sines of angles in radians, (n,) each; of many that are evenly spaced in half of the time.
 
     Those are the products of the ones of every so many angles with the ones of the steps between, by the theorem of
     addition: as exact as the angles themselves.
 
     Examples
     --------
-    >>> angles = np.linspace(0.0, 30.0, 1001)
+    >>> angles = np.linspace(0.0, 30.0, 5001)
     >>> cosine, sine = cosines(angles)
     >>> bool(np.abs(cosine - np.cos(angles)).max() < 1e-14 and np.abs(sine - np.sin(angles)).max() < 1e-14)
     True
     """
-    if len(angles) < MANY:
-        return np.cos(angles), np.sin(angles)
-    steps = np.arange(len(angles)) * ((angles[-1] - angles[0]) / (len(angles) - 1))
-    off = np.abs(angles - angles[0] - steps).max()
-    if not off <= EVEN * max(abs(angles[0]), abs(angles[-1])):
+    if len(angles) < MANY or not are_even(angles):
         return np.cos(angles), np.sin(angles)
     width = isqrt(len(angles))
-    far, near = angles[::width, None], steps[:width]
-    (a, b), (c, d) = ((np.cos(each), np.sin(each)) for each in (far, near))
+    step = (angles[-1] - angles[0]) / (len(angles) - 1)
+    (a, b), (c, d) = ((np.cos(each), np.sin(each)) for each in (angles[::width, None], step * np.arange(width)))
     return tuple(found.ravel()[: len(angles)] for found in (a * c - b * d, b * c + a * d))
+
+
+def are_even(angles):
+    """Whether angles are evenly spaced but for rounding; most that are not are told by one of them."""
+    first, last, third = angles[0], angles[-1], len(angles) // 3
+    step, slack = (last - first) / (len(angles) - 1), EVEN * max(abs(first), abs(last))
+    if not abs(angles[third] - first - third * step) <= slack:
+        return False
+    return bool(np.abs(angles - first - step * np.arange(len(angles))).max() <= slack)

@@ -35,7 +35,7 @@ def read():
     try:
         held = marshal.loads(FILE.read_bytes())
         return held["table"] if held["sources"] == stamps(held["sources"]) else None
-    except (OSError, ValueError, TypeError, KeyError, EOFError):  # whatever it became, it can be made again
+    except (OSError, ValueError, TypeError, KeyError, EOFError, MemoryError):  # it can be made again
         return None
 
 

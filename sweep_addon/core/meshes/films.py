@@ -27,10 +27,16 @@ def without_films(vertices, triangles):
     >>> len(without_films(corners, both))
     4
     """
-    shell = components(len(vertices), np.concatenate((triangles[:, :2], triangles[:, 1:])))[triangles[:, 0]]
+    shell, volume, area = shells(vertices, triangles)
     if not shell.any():  # all of one
         return triangles
-    corners = (vertices - vertices.mean(axis=0))[triangles]
+    return triangles[(volume > THIN * np.ptp(vertices, axis=0).max() * area)[shell]]
+
+
+def shells(vertices, triangles):
+    """The shell of each triangle, (t,) int array, and by its number the size of what it bounds, and its area."""
+    shell = components(len(vertices), np.concatenate((triangles[:, :2], triangles[:, 1:])))[triangles[:, 0]]
+    corners = (vertices - vertices[:1])[triangles]
     areas = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     volume, area = (np.bincount(shell, each) for each in (dot(corners[:, 0], areas) / 6, norms(areas) / 2))
-    return triangles[(np.abs(volume) > THIN * np.ptp(vertices, axis=0).max() * area)[shell]]
+    return shell, np.abs(volume), area
