@@ -4,6 +4,7 @@
 
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from functools import cache
 from hashlib import blake2b
 from zlib import crc32
 
@@ -45,12 +46,18 @@ def feed(sink, value):
         sink.update(f"[{len(value)}".encode())
         for item in value:
             feed(sink, item)
-    elif is_dataclass(value):
+    elif (names := held(type(value))) is not None:
         sink.update(f"<{type(value).__qualname__}".encode())
-        for field in fields(value):
-            feed(sink, getattr(value, field.name))
+        for name in names:
+            feed(sink, getattr(value, name))
     else:
         sink.update(repr(value).encode() + b"|")
+
+
+@cache
+def held(kind):
+    """The names of the fields of a declared kind, None of any other class: to ask each value takes twice as long."""
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else None
 
 
 def checksum(*arrays):

@@ -51,6 +51,8 @@ def require_short(stations, fit):
 @lru_cache(maxsize=16)
 def told_backward(stations):
     """What is to be told where a step goes against the trajectory, so that the sweep is inside out along it."""
+    if stations.trajectory.axis and norms(stations.bend[:1]) * stations.lengths.max() < 1:
+        return ()  # it bends the same everywhere, by less than a radian in a step
     if forward(stations, stations.steps(stations.points)).min() > 0:
         return ()
     along = forward(stations, directions(stations))

@@ -178,6 +178,8 @@ def folds_told(stations, aside, x, y, support, longest=None):
         bend[stations.corners] = 0.0  # a corner's bend is no curvature: its mitre is another matter
     longest = longest or max(summed(norms(axis)).max() for axis in (x, y))
     farthest = support(AROUND).max() * np.sqrt(2) * longest + (norms(aside).max() if aside.any() else 0.0)
+    if stations.trajectory.axis and norms(bend[:1]) * farthest < 1:
+        return ()  # it bends the same everywhere
     bent = np.flatnonzero(norms(bend) * farthest >= 1)
     if not len(bent):
         return ()

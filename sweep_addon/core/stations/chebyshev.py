@@ -34,8 +34,6 @@ def summed(coefficients, x):
     >>> summed(np.array([[0.0], [0.0], [2.0]]), np.array([0.5])).tolist()
     [-1.0]
     """
-    if len(coefficients) == 2:  # what turns evenly
-        return coefficients[0] + x * coefficients[1]
     last = before = np.zeros_like(x)
     twice = 2 * x
     for coefficient in coefficients[:0:-1]:

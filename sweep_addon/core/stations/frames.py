@@ -287,7 +287,9 @@ def rotation_minimizing(stations):
     """
     carried = transport(stations.trajectory)
     reference, angle = carried.at(stations.u, stations.leave)
-    start = turned(first_normal(stations.tangent[:1]), stations.tangent[:1], stations.leave[:1])
+    start = first_normal(stations.tangent[:1])
+    if len(stations.corners):  # a closed trajectory may start with one
+        start = turned(start, stations.tangent[:1], stations.leave[:1])
     first = signed_angle(reference[:1], start, stations.leave[:1])
     normals = rotated(reference, stations.leave, first + angle - angle[0])
     normals.flags.writeable = False

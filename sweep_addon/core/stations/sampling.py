@@ -214,7 +214,12 @@ def standing(trajectory, s):
 def stations(trajectory, s):
     """What the trajectory is like at arc lengths s."""
     measure, joints = arc_length(trajectory), trajectory.joints()
-    u = snapped(measure.parameter(s), joints)
+    u = measure.parameter(s)
+    if trajectory.axis and not trajectory.closed:  # all joints are its ends
+        points, first, second = trajectory.moving(u)
+        leave, bends = trajectory.tangents(u, first=first), bend(trajectory, u, False, first, second)
+        return Stations(trajectory, u, s, points, leave, leave, bends, bends[:0], np.zeros(0, int), measure.total)
+    u = snapped(u, joints)
     points, first, second = trajectory.moving(u)
     leave = trajectory.tangents(u, first=first)
     arrive, reached = leave.copy("K"), np.append(trajectory.domain[1], u[1:]) if trajectory.closed else u

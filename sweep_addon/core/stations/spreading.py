@@ -19,7 +19,7 @@ def fewest(trajectory):
 
 def distinct(values, least):
     """Values in rising order, those dropped that are within a distance of the one before."""
-    values = np.unique(values)
+    values = np.sort(values)
     return values[np.concatenate(([True], np.diff(values) > least))]
 
 

@@ -71,11 +71,23 @@ class Transport:
         return unit(cross(tangents, self.axis[panel])), self.before[panel] + summed(self.turning[:, panel], x)
 
 
+class EvenTransport:
+    """The same along a trajectory whose tangents turn evenly about one axis: phi' is -(t . a) for each radian."""
+
+    holonomy = 0.0  # one that closes lies across its axis
+
+    def __init__(self, trajectory):
+        self.axis = np.array([trajectory.axis])
+
+    def at(self, u, tangents):
+        """As `Transport.at`."""
+        across = cross(tangents, self.axis)
+        return across / norms(across[:1]), -dot(tangents[:1], self.axis) * u
+
+
 def panels(trajectory):
     """Pieces short enough for a polynomial: their ends (k,) and (k,), axes (k, 3), and coefficients (ORDER + 1, k)."""
     joints = trajectory.joints()
-    if trajectory.axis:
-        return joints[:-1], joints[1:], *about(trajectory, joints[:-1], joints[1:])
     moving = np.diff(arc_length(trajectory).at(joints)) > 0
     nodes = subdivided(joints, 1 if trajectory.straight else -(-PANELS // len(moving)))
     start, end = (part.reshape(len(moving), -1)[moving].ravel() for part in (nodes[:-1], nodes[1:]))
@@ -118,15 +130,6 @@ def integrals(trajectory, start, end):
     return axis, turning, near & (np.abs(along) <= ACROSS).all(axis=0)
 
 
-def about(trajectory, start, end):
-    """The axes and the coefficients where the tangent turns evenly about one axis: phi' is the same everywhere."""
-    first, second, axis = trajectory.derivative(start), trajectory.derivative(start, 2), np.array([trajectory.axis])
-    across = cross(first, axis)
-    rate = -dot(first, axis) * dot(cross(first, second), axis) / (dot(across, across) * norms(first))
-    half = rate * (end - start) / 2
-    return np.repeat(axis, len(half), axis=0), np.stack((half, half))
-
-
 def integral():
     """From values at the nodes to the coefficients of Chebyshev polynomials of their integral from -1: a matrix."""
     series = 2 / ORDER * np.cos(np.arange(ORDER + 2)[:, None] * ANGLES)
@@ -142,4 +145,4 @@ INTEGRAL = integral()
 @lru_cache(maxsize=32)
 def transport(trajectory):
     """The normal along a trajectory, computed once per value."""
-    return Transport(trajectory)
+    return EvenTransport(trajectory) if trajectory.axis else Transport(trajectory)

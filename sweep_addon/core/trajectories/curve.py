@@ -37,7 +37,7 @@ class Trajectory:
     pace : float or None
         The speed, in metres for each unit of u, where it is the same everywhere.
     axis : tuple of three float, or None
-        A direction about which all tangents turn evenly, at one angle to it, where there is one.
+        A direction about which all tangents turn by a radian for each unit of u, at one angle to it, if there is one.
     radii, tilts : Array
         What the curve itself scales the contour by and turns it by, in radians, at each of its points; empty: 1 and 0.
     too_sharp : (k,) int array

@@ -33,7 +33,8 @@ def turning(radius, u, rise, *orders):
     """
     u = row(u)
     x, y = (radius * part for part in cosines(u))
-    quarters = (x, y), (-y, x), (-x, -y), (y, -x)  # a derivative is a quarter of a turn ahead
+    left, back = -x, -y
+    quarters = (x, y), (back, x), (left, back), (y, left)  # a derivative is a quarter of a turn ahead
     return tuple(placed(*quarters[order % 4], rise * u if order == 0 else rise * (order == 1)) for order in orders)
 
 
