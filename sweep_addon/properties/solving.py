@@ -104,8 +104,10 @@ def work_of(mesh):
 
 
 def finish(mesh, work):
-    """Write what came of the work of a mesh that has not changed since."""
+    """Write what came of the work of a mesh that has not changed since; what was refused since stays told."""
+    refused = mesh.sweep.error
     if work.made and not work.stopping:
         put(mesh, work.made, work.wanted)
+        set_if_other(mesh.sweep, "error", refused)
     else:
         set_if_other(mesh.sweep, "solid", STOPPED.format(work.what) if work.stopping else work.why_not)

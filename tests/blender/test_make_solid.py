@@ -93,6 +93,17 @@ def test_with_a_window_the_surface_stands_until_the_solid_is_ready(scene, window
     assert not mesh.sweep.solid
 
 
+def test_what_is_refused_while_a_solid_is_made_stays_told(scene, window):
+    ob = spindle(make_solid=True, twist="0*t")
+    surface, work = volume(ob.data), made(ob.data)
+    parameters_of(ob).twist_formula_text = "0*"
+    refusal = ob.data.sweep.error
+    solving.finish(ob.data, work)
+    assert refusal and ob.data.sweep.error == refusal and volume(ob.data) > 1.02 * surface
+    parameters_of(ob).twist_formula_text = "0*t"
+    assert not ob.data.sweep.error and ob.data.sweep.solid == live.AWAITED
+
+
 def test_esc_leaves_the_surface_and_says_so(scene, window):
     ob = spindle(make_solid=True)
     surface = volume(ob.data)
