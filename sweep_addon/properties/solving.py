@@ -59,7 +59,13 @@ class Work:
             self.why_not = str(refusal)
 
     def solid(self, shape):
-        made = shape.solid(self.tell) if wants_solid(shape) else shape.mesh()
+        if not wants_solid(shape):
+            made = shape.mesh()
+        elif hasattr(shape, "follow"):  # open ends have a mesh, and no solid
+            shape.follow(self.tell)
+            made = shape.mesh()
+        else:
+            made = shape.solid(self.tell)
         return made.astype(np.float32)
 
     def tell(self, part):

@@ -136,8 +136,9 @@ def test_a_roof_that_a_script_makes_is_there_when_it_goes_on(scene, window):
     assert set(bpy.data.meshes) == known
 
 
-def test_a_roof_of_many_points_is_made_while_the_last_mesh_stands(scene, window):
-    ob = sw.to_object(sw.TranslationalSweep(wavy(), height=0.2))
+@pytest.mark.parametrize("end", ["flat", "open"])
+def test_a_roof_of_many_points_is_made_while_the_last_mesh_stands(scene, window, end):
+    ob = sw.to_object(sw.TranslationalSweep(wavy(), height=0.2, end=end))
     assert len(ob.data.vertices) == 2 * 1100 and not ob.data.sweep.solid
     ob.data.sweep.translational_sweep.taper = 0.5
     assert len(ob.data.vertices) == 2 * 1100 and ob.data.sweep.solid == live.AWAITED

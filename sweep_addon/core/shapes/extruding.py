@@ -150,7 +150,7 @@ def becomes_roof(sweep, section, heights):
 
 def takes_long(sweep):
     """Whether a person would wait for the mesh: for the roof of a closed contour of many points."""
-    if not sweep.is_drafted or not all(isinstance(end, Flat) for end in (sweep.start, sweep.end)):
+    if not sweep.is_drafted:
         return False
     heights, many = heights_of(sweep), [s for s in sections_of(sweep) if s and s.closed and len(s.points) > MANY]
     return any(becomes_roof(sweep, section, heights) for section in many)

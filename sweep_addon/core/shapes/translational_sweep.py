@@ -153,6 +153,10 @@ class TranslationalSweep(Operand):
     def surface(self, dtype=np.float64):
         """Nothing: a roof that is followed to half of its height would be another one."""
 
+    def follow(self, progress=None):
+        """Make what of the mesh takes long, which is kept for it; told of the progress as `solid` is."""
+        extruding.follow(self, progress)
+
     def solid(self, progress=None):
         """The boundary of all points that the contour visits, as one valid solid: each place counts once.
 
@@ -179,7 +183,7 @@ class TranslationalSweep(Operand):
         """
         from ..resolving.resolve import closed
 
-        extruding.follow(self, progress)
+        self.follow(progress)
         return closed(self.mesh())
 
     def sections(self):
