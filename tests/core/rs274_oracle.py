@@ -17,6 +17,7 @@ FOLDER = Path(__file__).resolve().parents[1] / "data" / "gcode"
 ORACLES = sorted(FOLDER.glob("*.canon.gz"))
 COMMAND = re.compile(r"(\w+)\((.*)\)")
 PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
+INCHES = {1: 0.125, 2: 0.0625, 3: 0.201, 4: 0.25, 6: 0.0625}  # diameters in the oracles' table; of others 0.1
 ROUNDING = 2.5e-4  # of the unit: four decimals of a place, an offset, another offset, and both turned
 
 
@@ -100,10 +101,15 @@ class Told:
         self.moves.append(Move("N", None, self.tool, self.unit))
 
 
+def diameter(tool):
+    """The diameter of a tool in the oracles' table, in metres."""
+    return 0.0254 * INCHES.get(tool, 0.1)
+
+
 def read_here(text):
     """The moves that this program reads, as far as it does, and its refusal."""
     try:
-        run = Run(text)
+        run = Run(text, diameter)
     except ShapeError as refusal:
         return [], str(refusal)
     refused = ""

@@ -196,7 +196,7 @@ def test_what_will_not_do_is_refused_in_one_sentence(told, sentence):
 def test_a_program_that_is_refused_is_read_once(monkeypatch):
     """It may take seconds, and shapes are made whenever something changes."""
     asked, program = [], "G0 X1\n(of this test alone)\nG9.9"
-    monkeypatch.setattr(cutting, "read", lambda text: asked.append(text) or M.read(text))
+    monkeypatch.setattr(cutting, "read", lambda text, diameter: asked.append(text) or M.read(text, diameter))
     for _ in range(3):
         with pytest.raises(sw.ShapeError, match=r"^program: line 3 has G9\.9, which is not known$"):
             sw.MachinedStock(program)

@@ -13,11 +13,6 @@ import sweep_addon as sw
 from sweep_addon.core.machining.programs import plain, reading
 
 REFUSED_HERE = {  # by what the refusal says, of programs that LinuxCNC runs, or runs farther
-    "cutter radius compensation": {
-        "cncjs_helical-thread-milling.gcode", "dxf2gcode_IFluegel_Rippen_b2_0201_b.ngc", "linuxcnc_cam.ngc",
-        "linuxcnc_ccomp-gouging.ngc", "linuxcnc_ccomp_mill-line-arc-entry.ngc", "linuxcnc_ccomp_mill-zchanges.ngc",
-        "linuxcnc_crazy-paths.ngc", "linuxcnc_inside-corners.ngc", "linuxcnc_inverse.ngc",
-    },
     "a cycle of a lathe": {"linuxcnc_g71-with-g70.ngc"},
     "threads of a lathe": {"linuxcnc_g76only.ngc"},
     "programs of three axes": {"linuxcnc_g53.ngc", "linuxcnc_unit-conversion.ngc"},
@@ -43,8 +38,54 @@ def test_a_real_program_makes_the_moves_of_linuxcnc_or_is_refused_by_name(path):
         assert len(here) >= len([move for move in told.moves if move.kind in "AN"])
 
 
+@pytest.mark.parametrize(
+    "contour",
+    [  # of those that LinuxCNC refuses with "without gouging"
+        "G41.1 D2\nG0 X3.067567 Y3.334976\nG3 X4.253967 Y5.257473 I0.78502 J0.842874\nG1 X-3.770591 Y-4.964904",
+        "G42.1 D2\nG1 X-6 Y-2\nG2 X-4.065925 Y-6.73397 I2.898274 J-1.577973\n"
+        "G2 X0.813185 Y-12.938983 I4.598489 J-1.404899",
+        "G41.1 D2\nG1 X7 Y7\nX3 Y0.4\nX6.5 Y4.5\nG2 X9.5 Y5.2 R1.5",
+        "G41.1 D2\nG1 X4 Y-3\nG0 X4 Y1\nG1 X3 Y-4",
+    ],
+)
+def test_a_corner_that_the_tool_does_not_fit_into_is_refused(contour):
+    with pytest.raises(sw.ShapeError, match=r"line \d+ goes into a corner that .* not fit into"):
+        sw.machining.read(f"G21 F100\nG0 X0 Y0 Z0\n{contour}\nG40\nM2")
+
+
+def test_round_a_square_the_tool_stays_its_radius_away():
+    """Left of it: the first move ends where the second begins, arcs go round the other corners."""
+    text = "G21 F100\nG0 X-20 Y0 Z0\nG41 D7 G1 X0\nY10\nX10\nY0\nX-20\nG40 G0 Y-20\nM2"
+    path = sw.machining.read(text, {7: 0.004}.get)
+    ends = [[-20, 0], [-2, 2], [-2, 10], [0, 12], [10, 12], [12, 10], [12, 0], [10, -2], [-20, -2], [-20, -20]]
+    assert (path.points[:, :2] * 1e3).round(9).tolist() == ends
+    assert (path.centres[:, :2] * 1e3).round(9).tolist() == [[0, 10], [10, 10], [10, 0]]
+    assert path.turns[:, 2] == pytest.approx([-np.pi / 2] * 3)
+
+
+def test_beside_a_contour_that_is_turned_and_moved_the_tool_is_as_well():
+    """Also where it goes up and down in a corner that is cut short: rounding tells places apart that are one."""
+    contour = "F100 G0 X-20 Y0 Z0\nG41.1 D4 G1 X0\nZ1\nZ2\nY10\nG2 X10 Y20 R10\nG1 Z-1\nX10 Y0\nG40 G0 X0 Y-20\nM2"
+    plainly, turned = (sw.machining.read(f"G21 G10 L2 P1 {where}\n{contour}") for where in ("X0", "X3 Y-7 Z1 R33"))
+    x, y, z = plainly.points.T
+    place = (x + 1j * y) * np.exp(1j * np.radians(33)) + 0.003 - 0.007j
+    assert np.allclose(turned.points, np.column_stack((place.real, place.imag, z + 0.001)), rtol=0, atol=1e-12)
+    assert np.allclose(turned.turns, plainly.turns) and len(plainly) > 9
+
+
+@pytest.mark.parametrize("diameter", [0.004, 0.006, 0.008])
+def test_what_is_cut_beside_a_contour_does_not_hang_on_how_wide_the_tool_is(diameter):
+    """A boss of 20 mm with round corners of 4 stays, of which 2 mm are seen."""
+    text = "G21 F100\nG0 X-20 Y0 Z5\nZ-2\nG41 G1 X-10\nY6\nG2 X-6 Y10 R4\nG1 X6\nG2 X10 Y6 R4\nG1 Y-6\n"
+    text += "G2 X6 Y-10 R4\nG1 X-6\nG2 X-10 Y-6 R4\nG1 Y1\nG40 X-20\nG0 Z5\nM2"
+    block = sw.machining.Box(low=(-0.011, -0.011, -0.002), high=(0.011, 0.011, 0.0))
+    left = sw.MachinedStock(text, tool=sw.machining.FlatEnd(diameter), stock=block, cell=1e-4).mesh().volume()
+    area, around = 20**2 - (4 - np.pi) * 4**2, 4 * 12 + 2 * np.pi * 4
+    assert left * 1e9 == pytest.approx(2 * area, abs=2 * around * 0.1 / 2)  # walls lean by up to a cell
+
+
 def test_the_programs_are_there():
-    assert len(oracle.ORACLES) == 60
+    assert len(oracle.ORACLES) == 61
     assert sum(len(oracle.Told(path).moves) for path in oracle.ORACLES[:40]) > 10_000
 
 
@@ -184,7 +225,18 @@ def test_plain_lines_read_at_once_are_those_read_one_by_one(monkeypatch):
         ("G12.3", "line 1 has G12.3, which is not known"),
         ("M123", "line 1 has M123, which is not known"),
         ("G28 Z0", "line 1 has G28, a move to the home of the machine, which the program does not tell, which is not"),
-        ("G41 D1", "line 1 has G41, cutter radius compensation, which is not read"),
+        ("G41 D1", "line 1 has G41 for tool 1, whose diameter is not told"),
+        ("G41.1", "line 1 needs the diameter D of the tool for G41.1"),
+        ("G19\nG42.1 D3", "line 2 has G42.1 in another plane than those of G17 and, not turned, G18"),
+        ("G41.1 D3 L1", "line 1 has G41.1 with L, which is of lathes"),
+        ("G41.1 D3\nG42.1 D3", "line 2 has G42.1 while G41 or G42 compensates: G40 ends that"),
+        ("G41.1 D3\nG20", "line 2 has G20 while G41 or G42 compensates: G40 ends that"),
+        ("G41.1 D3\nG10 L2 P1 X3", "line 2 has G10 while G41 or G42 compensates: G40 ends that"),
+        ("F9 G41.1 D3\nG81 X9 Z-1 R1", "line 2 has G81 while G41 or G42 compensates: G40 ends that"),
+        ("G41.1 D3\nT1 M6", "line 2 changes the tool while G41 or G42 compensates: G40 ends that"),
+        ("F9 G41.1 D3\nG1 X1.5", "line 2 begins to compensate with a move of 1.5 mm, no more than the tool's radius"),
+        ("F9 G41.1 D3\nG1 X9\nG40\nG2 X0 R9", "line 4 has an arc right after G40, where a straight move must lead"),
+        ("F9 G41.1 D3\nG1 X9\nG3 X10 Y1 J1", "line 3 has an arc of radius 1 mm inside which the tool does not fit"),
         ("G0 A90", "line 1 moves A to 90; programs of three axes are read, and others keep 0"),
         ("G0 X[1 + ]", "line 1 needs a number before ']'"),
         ("G0 X[1", "line 1 needs ']' at its end"),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cutting stock by a program: what is left of it at the places of a lattice; the last ones are kept."""
 
+import re
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
@@ -19,23 +20,26 @@ from .tools import Tool
 COARSEST = 256  # cells along the longer side of the stock, where nobody says how large they are
 MOST_PLACES = 4_000_000
 MOST_PIECES = 4_000_000  # of moves, of which arcs have many
+COMPENSATING = re.compile(r"g[\s0]*(?:4[12]|\[|#)", re.IGNORECASE)  # what may be G41 or G42
 NOTHING = "must move a tool from a place that is known to another, got a text that does not"
 LONG, MANY = 100_000, 300_000  # characters of a program or pieces of its moves, and places: a person waits for more
 
 
-def path_of(program):
-    """The moves of a program, or a refusal."""
-    path, refusal = read_once(program)
+def path_of(program, tool=None, tools=()):
+    """The moves of a program with a tool and others by their numbers, or a refusal; with none, of one without width."""
+    asks = COMPENSATING.search(program)  # nothing else changes with how wide tools are
+    widths = tuple((each.number, each.tool.diameter) for each in tools) if asks else ()
+    path, refusal = read_once(program, tool.diameter if tool and asks else 0.0, widths)
     if refusal:
         raise refusal.inside("")  # another one each time, for whoever catches it changes it
     return path
 
 
 @lru_cache(maxsize=4)
-def read_once(program):
+def read_once(program, usual, widths):
     """The moves of a program and what it is refused with, of which one is None: loops without end take seconds."""
     try:
-        return read(program), None
+        return read(program, lambda tool: dict(widths).get(tool, usual)), None
     except ShapeError as refusal:
         return None, refusal
 
@@ -127,7 +131,7 @@ def cut(question):
 
 def laid_out(question):
     """All but the cutting itself."""
-    path = path_of(question.program)
+    path = path_of(question.program, question.tool, question.tools)
     if len(path) <= path.first:
         raise ShapeError(NOTHING, "program")
     with at("tolerance"):

@@ -19,7 +19,7 @@ __all__ = ["check", "made", "mesh", "takes_long", "verify"]
 def check(shape):
     """Refuse a text that is no program, and two tools of one number."""
     with at("program"):
-        path_of(shape.program)
+        path_of(shape.program, shape.tool, shape.tools)
     numbers = [each.number for each in shape.tools]
     for place, number in enumerate(numbers, 1):
         if number in numbers[: place - 1]:

@@ -17,8 +17,9 @@ ONCE = {40, 100, 520, 530, 920, 921, 922, 923}
 PLANES = {170: 2, 180: 1, 190: 0}
 UNITS = {200: INCH, 210: MILLIMETRE}
 SYSTEMS = {540: 0, 550: 1, 560: 2, 570: 3, 580: 4, 590: 5, 591: 6, 592: 7, 593: 8}
+SIDES = {400: 0, 410: 1, 411: 1, 420: -1, 421: -1}  # of the contour, on which the tool is
 GROUPS = (
-    MOTIONS, set(PLANES), set(UNITS), set(SYSTEMS), {900, 910}, {901, 911}, {930, 940, 950}, {980, 990}, {400},
+    MOTIONS, set(PLANES), set(UNITS), set(SYSTEMS), {900, 910}, {901, 911}, {930, 940, 950}, {980, 990}, set(SIDES),
     {430, 490}, {610, 611, 640}, {960, 970}, {80},
 )  # fmt: skip
 LAST = {0, 1, 2, 30, 60}
@@ -28,8 +29,7 @@ NOT_READ = {
     70: "diameters of a lathe", 280: "a move to the home of the machine, which the program does not tell",
     300: "a move to the home of the machine, which the program does not tell",
     281: "home", 301: "home", 330: "a move that the spindle times", 331: "tapping that the spindle times",
-    410: "cutter radius compensation", 411: "cutter radius compensation", 420: "cutter radius compensation",
-    421: "cutter radius compensation", 431: "a length of the tool", 432: "a length of the tool",
+    431: "a length of the tool", 432: "a length of the tool",
     520: "an offset that machines understand differently", 760: "threads of a lathe",
     870: "a cycle of boring from behind", 880: "a cycle that waits for a person",
     **{code: "a cycle of a lathe" for code in (700, 710, 711, 712, 720, 721, 722)},
@@ -44,9 +44,12 @@ USES = {
 def obey(machine, codes, stops, words, line):
     """Do what a line says; whether the program goes on."""
     motion, once = sorted_out(codes, stops)
+    if machine.beside:
+        require_beside(machine, codes, stops, motion, once)
     set_feed(machine, codes, words)
     set_spindle_and_tool(machine, stops, words)
     set_modes(machine, codes)
+    set_side(machine, codes, words)
     require_used(machine, once, motion, words)
     if once == 100:
         set_offsets(machine, words)
@@ -127,6 +130,56 @@ def set_modes(machine, codes):
             machine.absolute_centres = code == 901
         if code in (980, 990):
             machine.to_level = code == 980
+
+
+def set_side(machine, codes, words):
+    """Compensate the radius of the tool that D names, or that the spindle has, or whose diameter D is (G41.1, G42.1).
+
+    One of a negative diameter is on the other side.
+    """
+    code = one_of(codes, SIDES)
+    if code is None:
+        return
+    machine.end_compensation()
+    if code == 400:
+        return
+    if machine.plane == 0 or machine.plane == 1 and machine.rotations[machine.system]:
+        raise ShapeError(f"has G{code / 10:g} in another plane than those of G17 and, not turned, G18")
+    if words.get("l"):
+        raise ShapeError(f"has G{code / 10:g} with L, which is of lathes")
+    diameter = told_diameter(machine, code, words)
+    if diameter:
+        machine.compensate(abs(diameter) / 2, SIDES[code] if diameter > 0 else -SIDES[code])
+
+
+def told_diameter(machine, code, words):
+    """The diameter for which a line compensates, in metres; D0 means none."""
+    if code % 10:
+        if "d" not in words:
+            raise ShapeError(f"needs the diameter D of the tool for G{code / 10:g}")
+        return words["d"] * machine.unit
+    number = whole(words.get("d", machine.tool), "D")
+    diameter = 0.0 if words.get("d") == 0 else machine.diameter(number)
+    if diameter is None:
+        raise ShapeError(f"has G{code // 10} for tool {number}, whose diameter is not told")
+    return diameter
+
+
+def require_beside(machine, codes, stops, motion, once):
+    """Refuse what cannot be while the tool is beside the contour."""
+    motion = machine.motion if motion is None else motion
+    if 400 in codes:
+        return
+    if motion in (50, 51, 52, 53) or motion in CYCLES:
+        raise ShapeError(f"has G{motion / 10:g} while G41 or G42 compensates: G40 ends that")
+    wrong = [code for code in codes if code in SIDES or code in SYSTEMS]
+    wrong += [code for code in codes if PLANES.get(code, machine.plane) != machine.plane]
+    wrong += [code for code in codes if UNITS.get(code, machine.unit) != machine.unit]
+    wrong += [once] if once in (100, 530, 920, 921, 922, 923) else []
+    if wrong:
+        raise ShapeError(f"has G{wrong[0] / 10:g} while G41 or G42 compensates: G40 ends that")
+    if 6 in stops or 61 in stops:
+        raise ShapeError("changes the tool while G41 or G42 compensates: G40 ends that")
 
 
 def require_used(machine, once, motion, words):

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from ...declared.refusals import ShapeError
+from .compensation import Compensation
 from .toolpath import ARC, RAPID, Toolpath
 
 MILLIMETRE, INCH = 0.001, 0.0254
@@ -20,7 +21,8 @@ AXES = "xyz"
 class Machine:
     """A machine of three axes, whose zero is that of its first work offset until a program moves that."""
 
-    def __init__(self):
+    def __init__(self, diameter=None):
+        self.diameter = diameter or {}.get  # of a tool by its number, in metres
         self.unit = MILLIMETRE
         self.motion = None  # ten times the number of its G code: 52 is G5.2
         self.plane = 2  # the axis across it
@@ -40,6 +42,8 @@ class Machine:
         self.cycle = SimpleNamespace(level=None, words={})
         self.spline, self.order = [], 3  # the control points of a NURBS so far
         self.leaving = None  # of a cubic spline, from the one before
+        self.beside = None  # `Compensation`, where the tool is beside the contour: then `at` is the contour's place
+        self.off_contour = False  # it was, and no move has led back
         self.moved = Moved()
 
     def modes(self):
@@ -71,22 +75,43 @@ class Machine:
 
     def go_machine(self, place, kind, line):
         self.begin(kind)
-        self.at = [within(p) for p in place]
-        self.moved.add(self.at, kind, line, self.tool)
+        place = [within(p) for p in place]
+        if self.beside:
+            self.beside.straight(place, kind, line)
+        else:
+            self.moved.add(place, kind, line, self.tool)
+        self.at, self.off_contour = place, False
 
     def turn(self, place, centre, angle, line):
         """Move to a place of the program round a centre, by an angle in radians about the axis across the plane."""
         self.begin(ARC)
-        axis = [0.0, 0.0, 0.0]
-        axis[self.plane] = angle
-        axis[:2] = turned(axis[0], axis[1], self.rotations[self.system])
-        self.moved.arcs.append((self.moved.count, self.to_machine(centre), axis))
-        self.at = [within(p) for p in self.to_machine(place)]
-        self.moved.add(self.at, ARC, line, self.tool)
+        place, centre = [within(p) for p in self.to_machine(place)], self.to_machine(centre)
+        if self.beside:
+            self.beside.turn(place, centre, angle, line)
+        elif self.off_contour:
+            raise ShapeError("has an arc right after G40, where a straight move must lead back to the contour")
+        else:
+            axis = [0.0, 0.0, 0.0]
+            axis[self.plane] = angle
+            axis[:2] = turned(axis[0], axis[1], self.rotations[self.system])
+            self.moved.arcs.append((self.moved.count, centre, axis))
+            self.moved.add(place, ARC, line, self.tool)
+        self.at = place
+
+    def compensate(self, radius, side):
+        """Go beside the contour from now on."""
+        self.beside = Compensation(self, radius, side)
+
+    def end_compensation(self):
+        """Go back to the contour with the next move."""
+        if self.beside:
+            self.off_contour = self.beside.waiting > 0
+            self.beside.finish()
+            self.beside = None
 
     def begin(self, kind):
         if self.first is None and (kind != RAPID or all(self.known)):
-            self.first = self.moved.count
+            self.first = self.moved.count + (self.beside.waiting if self.beside else 0)
 
     def toolpath(self):
         """All moves that were made."""

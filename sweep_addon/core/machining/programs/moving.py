@@ -9,11 +9,10 @@ import numpy as np
 from ...declared.refusals import ShapeError
 from ...trajectories.nurbs import Nurbs
 from .machine import AXES, INCH
-from .toolpath import FEED, RAPID, SPLINE
+from .toolpath import FEED, RAPID, ROUND, SPLINE
 
 ROTARY = "abcuvw"
 CENTRE = "ijk"
-ROUND = {2: (0, 1), 1: (2, 0), 0: (1, 2)}  # the axis across a plane: those within it, from the first to the second
 FULL = 1e-6  # radians: an arc that is shorter goes all the way round
 FINE = 1e-6  # metres that chords may be from a spline
 MOST_CHORDS = 100_000

@@ -26,7 +26,8 @@ def run_of(machine, lines, start):
 
     It can where the first place of all axes is known, so that a move is what its line says and no more.
     """
-    if machine.motion not in (0, 10) or machine.first is None or machine.spline or machine.feed_mode == 930:
+    straight = machine.motion in (0, 10) and not machine.spline and not machine.beside
+    if not straight or machine.first is None or machine.feed_mode == 930:
         return []
     found, match = [], LINE.match
     for line in range(start, len(lines)):
@@ -62,7 +63,7 @@ def move_along(machine, found, start):
     rows = np.empty((len(moving), 6))
     rows[:, :3], rows[:, 3], rows[:, 4], rows[:, 5] = place, kinds, start + 1 + moving, machine.tool
     machine.moved.add_run(rows)
-    machine.at = place[-1].tolist()
+    machine.at, machine.off_contour = place[-1].tolist(), False
     machine.known = [known or bool(told.any()) for known, told in zip(machine.known, (x, y, z), strict=True)]
     machine.motion, machine.feed = int(kinds[-1]) * 10, float(paces[-1])
 

@@ -18,7 +18,7 @@ DEEPEST = 50  # subroutines within subroutines
 NOTHING = Block()
 
 
-def read(text):
+def read(text, diameter=None):
     """The moves of a program of RS-274, as LinuxCNC makes them: expressions, subroutines, loops and canned cycles.
 
     Parameters
@@ -26,6 +26,8 @@ def read(text):
     text : str
         The program. It is in millimetres until it says otherwise, and the zero of its first work offset is the
         machine's.
+    diameter : callable, optional
+        From the number of a tool to its diameter in metres, None where that is not known: `G41` and `G42` ask for it.
 
     Returns
     -------
@@ -48,9 +50,15 @@ def read(text):
     [0.038099999999999995, 0.0, -0.00254]
     >>> path.lines.tolist(), path.rapid.tolist()
     ([2, 3, 5], [True, False, False])
+
+    A tool 6 mm wide goes beside what is told:
+
+    >>> text = "G21 F100\\nT1 M6\\nG0 X0 Y0 Z0\\nG41 G1 X10 Y10\\nX30\\nG40 Y0"
+    >>> (read(text, {1: 0.006}.get).points[-2] * 1000).round(9).tolist()
+    [30.0, 13.0, 0.0]
     """
     refuse_foreign(text)
-    run = Run(text)
+    run = Run(text, diameter)
     run.through()
     return run.machine.toolpath()
 
@@ -58,12 +66,12 @@ def read(text):
 class Run:
     """A program while it runs: its lines, the machine, the parameters, and which line is next."""
 
-    def __init__(self, text):
+    def __init__(self, text, diameter=None):
         self.lines = text.split("\n")
         first, last = within_marks(self.lines)
         self.lines = self.lines[:last]
         self.flow = linked(self.lines)
-        self.machine = Machine()
+        self.machine = Machine(diameter)
         self.parameters = Parameters(self.machine)
         self.blocks = {}
         self.next = first
@@ -81,6 +89,8 @@ class Run:
                 else:
                     self.obey(line)
                 self.bound(line, max(1, len(found)))
+                if self.next is None or self.next >= len(self.lines):
+                    self.machine.end_compensation()
 
     def bound(self, line, count):
         """Count lines that are run again, of which no program needs more than some."""

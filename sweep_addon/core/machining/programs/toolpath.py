@@ -10,6 +10,7 @@ from ...vectors import cross, dot, norms
 from ..cells import cells
 
 RAPID, FEED, ARC, SPLINE = range(4)
+ROUND = {2: (0, 1), 1: (2, 0), 0: (1, 2)}  # the axis across a plane: those within it, from the first to the second
 
 
 @dataclass(frozen=True, eq=False)
