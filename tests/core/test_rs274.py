@@ -84,6 +84,47 @@ def test_what_is_cut_beside_a_contour_does_not_hang_on_how_wide_the_tool_is(diam
     assert left * 1e9 == pytest.approx(2 * area, abs=2 * around * 0.1 / 2)  # walls lean by up to a cell
 
 
+CHANGED = """G21 G90 F300
+G91 G28 Z0
+G90 T1 M6
+G0 X0 Y0
+Z5
+G1 Z-1
+X10
+G0 Z5
+G91 G28 Z0
+G90 T2 M6
+G0 X10 Y10
+Z5
+G1 Z-1
+X0
+G0 Z5
+G28 G91 Z0 Y0
+M30"""
+
+
+def test_moves_to_a_home_that_is_not_told_and_back_are_left_out():
+    """As of most programs of Fanuc's dialect, which change tools there: until all axes are told a place again."""
+    path = sw.machining.read(CHANGED)
+    starts, ends, moves = path.segments(1e-6)
+    slots = [(0, 0, 5), (0, 0, -1), (10, 0, -1), (10, 0, 5)], [(10, 10, 5), (10, 10, -1), (0, 10, -1), (0, 10, 5)]
+    assert (starts * 1e3).round(9).tolist() == [list(place) for slot in slots for place in slot[:-1]]
+    assert (ends * 1e3).round(9).tolist() == [list(place) for slot in slots for place in slot[1:]]
+    assert path.lines[moves].tolist() == [6, 7, 8, 13, 14, 15]
+    assert path.lines[path.apart[path.apart > path.first]].tolist() == [9, 11, 12, 16]
+    told = sw.MachinedStock(CHANGED, cell=5e-4).verify().sentences()
+    sentence = "Moves to the home of the machine and back are not looked at, by 4 lines, from line 9 on"
+    assert any(each.startswith(sentence) for each in told)
+
+
+def test_a_home_that_the_program_tells_is_gone_to():
+    """As LinuxCNC does: by the place that the words say, and then those axes alone."""
+    text = "G0 X1 Y2 Z3\nG28.1\nX9 Y9\nG28 X5\nG91 G28 Z1\nG90 G0 X20 Y20 Z20\nG28"
+    assert ends(text) == [
+        [1, 2, 3], [9, 9, 3], [5, 9, 3], [1, 9, 3], [1, 9, 4], [1, 9, 3], [20, 20, 20], [1, 2, 3],
+    ]  # fmt: skip
+
+
 def test_the_programs_are_there():
     assert len(oracle.ORACLES) == 61
     assert sum(len(oracle.Told(path).moves) for path in oracle.ORACLES[:40]) > 10_000
@@ -224,7 +265,11 @@ def test_plain_lines_read_at_once_are_those_read_one_by_one(monkeypatch):
         ("G0 G1 X1", "line 1 has G0 and G1, of which only one can be meant"),
         ("G12.3", "line 1 has G12.3, which is not known"),
         ("M123", "line 1 has M123, which is not known"),
-        ("G28 Z0", "line 1 has G28, a move to the home of the machine, which the program does not tell, which is not"),
+        ("G1 F9 X0 Y0 Z0\nG28 Z0\nG1 X3", "line 3 moves at a feed while Z is at the home of the machine, which the"),
+        ("G0 X0 Y0 Z0\nG91 G28 Z0\nG92 X2 Z0", "line 3 sets Z by the home of the machine, which the"),
+        ("G0 X0 Y0 Z0\nG28\nG10 L20 P1 Y0", "line 3 sets Y by the home of the machine, which the"),
+        ("G0 X0 Y0 Z0\nG28\nG30.1", "line 3 sets a home at one that the program does not tell"),
+        ("G41.1 D3\nG28", "line 2 has G28 while G41 or G42 compensates: G40 ends that"),
         ("G41 D1", "line 1 has G41 for tool 1, whose diameter is not told"),
         ("G41.1", "line 1 needs the diameter D of the tool for G41.1"),
         ("G19\nG42.1 D3", "line 2 has G42.1 in another plane than those of G17 and, not turned, G18"),

@@ -17,9 +17,19 @@ def decided(machined, known):
         Numbers of tools that the stock has.
     """
     said = [*missing(set(np.unique(machined.path.tools[machined.moves]).tolist()), known), *wide(machined)]
+    said += left_out(machined.path)
     if (machined.by < 0).all():
         said.append("Nothing of the stock is cut: no move comes into it.")
     return tuple(said)
+
+
+def left_out(path):
+    """A sentence on moves to the home of the machine and back."""
+    lines = np.unique(path.lines[path.apart[path.apart >= path.first]]).tolist()
+    if not lines:
+        return []
+    where = f"line {lines[0]}" if len(lines) == 1 else f"{len(lines)} lines, from line {lines[0]} on"
+    return [f"Moves to the home of the machine and back are not looked at, by {where}: no program tells where it is."]
 
 
 def missing(used, known):

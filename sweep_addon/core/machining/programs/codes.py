@@ -13,7 +13,8 @@ from .toolpath import FEED, RAPID
 
 MOST_TOOLS = 2**31 - 1  # as many as `Numbered` tells apart
 MOTIONS = {0, 10, 20, 30, 50, 51, 52, 53, 800, *CYCLES}
-ONCE = {40, 100, 520, 530, 920, 921, 922, 923}
+HOMES = {280: 28, 281: 28, 300: 30, 301: 30}
+ONCE = {40, 100, 520, 530, 920, 921, 922, 923, *HOMES}
 PLANES = {170: 2, 180: 1, 190: 0}
 UNITS = {200: INCH, 210: MILLIMETRE}
 SYSTEMS = {540: 0, 550: 1, 560: 2, 570: 3, 580: 4, 590: 5, 591: 6, 592: 7, 593: 8}
@@ -26,9 +27,7 @@ LAST = {0, 1, 2, 30, 60}
 QUIET = {0, 1, 60, 7, 8, 9, 19, 48, 49, 50, 51, 52, 53, 62, 63, 64, 65, 67, 68}  # no part of them moves anything
 KNOWN_STOPS = QUIET | {2, 3, 4, 5, 6, 30, 61, 70, 71, 72, 73, 98, 99}
 NOT_READ = {
-    70: "diameters of a lathe", 280: "a move to the home of the machine, which the program does not tell",
-    300: "a move to the home of the machine, which the program does not tell",
-    281: "home", 301: "home", 330: "a move that the spindle times", 331: "tapping that the spindle times",
+    70: "diameters of a lathe", 330: "a move that the spindle times", 331: "tapping that the spindle times",
     431: "a length of the tool", 432: "a length of the tool",
     520: "an offset that machines understand differently", 760: "threads of a lathe",
     870: "a cycle of boring from behind", 880: "a cycle that waits for a person",
@@ -55,6 +54,10 @@ def obey(machine, codes, stops, words, line):
         set_offsets(machine, words)
     elif once in (920, 921, 922, 923):
         shift(machine, once, words)
+    elif once in (280, 300):
+        moving.home(machine, HOMES[once], words, line)
+    elif once in (281, 301):
+        moving.set_home(machine, HOMES[once])
     else:
         move(machine, motion, once, words, line)
     return not any(stop in (2, 30) for stop in stops)
@@ -175,7 +178,7 @@ def require_beside(machine, codes, stops, motion, once):
     wrong = [code for code in codes if code in SIDES or code in SYSTEMS]
     wrong += [code for code in codes if PLANES.get(code, machine.plane) != machine.plane]
     wrong += [code for code in codes if UNITS.get(code, machine.unit) != machine.unit]
-    wrong += [once] if once in (100, 530, 920, 921, 922, 923) else []
+    wrong += [once] if once not in (None, 40) else []
     if wrong:
         raise ShapeError(f"has G{wrong[0] / 10:g} while G41 or G42 compensates: G40 ends that")
     if 6 in stops or 61 in stops:
@@ -186,7 +189,7 @@ def require_used(machine, once, motion, words):
     """Refuse words that nothing on their line uses: who wrote them meant something."""
     axes = [letter for letter in words if letter in "xyzabcuvw@^"]
     motion = machine.motion if motion is None else motion
-    if once not in (100, 920) and axes and USES.get(motion) is None:
+    if once not in (100, 920, 280, 300) and axes and USES.get(motion) is None:
         raise ShapeError(f"has {axes[0].upper()} without a G code that says how to move")
     if once is None and motion in USES and axes:
         unused = set(words) & set("ijkr") - set(USES[motion])
@@ -212,6 +215,7 @@ def set_offsets(machine, words):
             if letter in words:
                 offsets[axis] = words[letter] * machine.unit
         return
+    require_place(machine, words)
     wanted = machine.to_program(machine.at, system)
     for axis, letter in enumerate(AXES):
         if letter in words:
@@ -220,12 +224,20 @@ def set_offsets(machine, words):
     machine.offsets[system] = [a - w for a, w in zip(machine.at, (x, y, wanted[2]), strict=True)]
 
 
+def require_place(machine, words):
+    """Refuse to call a place something that only the machine knows."""
+    lost = [letter.upper() for axis, letter in enumerate(AXES) if letter in words and axis in machine.lost]
+    if lost:
+        raise ShapeError(f"sets {lost[0]} by the home of the machine, which the program does not tell")
+
+
 def shift(machine, code, words):
     """Call the place where the tool is something else (G92), or no longer (G92.1, .2), or again (.3)."""
     if code == 920:
         moving.require_three_axes(words, True)
         if not any(letter in words for letter in AXES):
             raise ShapeError("needs X, Y or Z for G92")
+        require_place(machine, words)
         here = machine.to_program(machine.at)
         for axis, letter in enumerate(AXES):
             if letter in words:

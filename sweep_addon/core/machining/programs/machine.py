@@ -38,6 +38,8 @@ class Machine:
         self.spindle, self.speed = 0, 0.0
         self.at = [0.0, 0.0, 0.0]
         self.known = [False] * 3
+        self.lost = set()  # axes at the home of the machine, which only it knows
+        self.homes = {}  # places of the machine by the number of their G code, 28 or 30
         self.first = None
         self.cycle = SimpleNamespace(level=None, words={})
         self.spline, self.order = [], 3  # the control points of a NURBS so far
@@ -79,7 +81,7 @@ class Machine:
         if self.beside:
             self.beside.straight(place, kind, line)
         else:
-            self.moved.add(place, kind, line, self.tool)
+            self.moved.add(place, kind, line, self.tool, bool(self.lost))
         self.at, self.off_contour = place, False
 
     def turn(self, place, centre, angle, line):
@@ -122,10 +124,12 @@ class Moved:
     """The moves so far: single ones in lists, runs of many as arrays."""
 
     def __init__(self):
-        self.count, self.arcs = 0, []
+        self.count, self.arcs, self.apart = 0, [], []
         self.runs, self.single = [], []
 
-    def add(self, place, kind, line, tool):
+    def add(self, place, kind, line, tool, apart=False):
+        if apart:
+            self.apart.append(self.count)
         self.single.append((*place, kind, line + 1, tool))
         self.count += 1
         if len(self.single) >= MANY:  # which take five times the memory of their rows
@@ -156,7 +160,8 @@ class Moved:
         turns = np.array([turn for _, _, turn in self.arcs], dtype=np.float64).reshape(-1, 3)
         points = np.ascontiguousarray(rows[:, :3])
         kinds, lines, tools = (rows[:, column].astype(np.int32) for column in (3, 4, 5))
-        return Toolpath(points, kinds.astype(np.int8), lines, tools, arcs, centres, turns, first)
+        apart = np.array(self.apart, dtype=np.int64)
+        return Toolpath(points, kinds.astype(np.int8), lines, tools, arcs, centres, turns, first, apart)
 
 
 def turned(x, y, degrees):

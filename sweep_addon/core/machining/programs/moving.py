@@ -17,6 +17,7 @@ FULL = 1e-6  # radians: an arc that is shorter goes all the way round
 FINE = 1e-6  # metres that chords may be from a spline
 MOST_CHORDS = 100_000
 MOST_TURNS = 10_000
+NEAR = 1e-9  # metres: rounding
 
 
 def target(machine, words, absolute=None):
@@ -55,6 +56,8 @@ def polar(machine, words, absolute):
 
 def know(machine, words):
     """Note which axes have been told a place."""
+    if machine.absolute:
+        machine.lost -= {axis for axis, letter in enumerate(AXES) if letter in words}
     machine.known = [
         known or letter in words or (letter != "z" and ("@" in words or "^" in words))
         for known, letter in zip(machine.known, AXES, strict=True)
@@ -81,9 +84,39 @@ def in_machine(machine, words, kind, line):
     know(machine, words)
 
 
+def home(machine, number, words, line):
+    """Move fast to the place that axis words lead to, and the axes they name on to the home: all where none is named.
+
+    Where a program has not said with G28.1 or G30.1 where that is, nobody knows where these axes are from then on.
+    """
+    require_three_axes(words, machine.absolute)
+    axes = [axis for axis, letter in enumerate(AXES) if letter in words] or [0, 1, 2]
+    place = target(machine, {letter: words[letter] for letter in AXES if letter in words})
+    if any(abs(p - h) > NEAR for p, h in zip(place, machine.place, strict=True)):
+        straight(machine, words, RAPID, line)
+    known = machine.homes.get(number)
+    if known:
+        machine.go_machine([known[a] if a in axes else machine.at[a] for a in range(3)], RAPID, line)
+        machine.lost -= set(axes)
+        return
+    machine.lost |= set(axes)
+    machine.known = [known and axis not in axes for axis, known in enumerate(machine.known)]
+    machine.go_machine(machine.at, RAPID, line)
+
+
+def set_home(machine, number):
+    """Call the place where the tool is home."""
+    if machine.lost:
+        raise ShapeError("sets a home at one that the program does not tell")
+    machine.homes[number] = list(machine.at)
+
+
 def require_feed(machine, words, kind):
     if kind == RAPID:
         return
+    if machine.lost:
+        axis = AXES[min(machine.lost)].upper()
+        raise ShapeError(f"moves at a feed while {axis} is at the home of the machine, which the program does not tell")
     if machine.feed_mode == 930:
         if words.get("f", 0) <= 0:
             raise ShapeError("moves at a feed without its F, which G93 needs with each move")

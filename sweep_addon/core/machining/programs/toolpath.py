@@ -34,6 +34,8 @@ class Toolpath:
         ends is covered evenly meanwhile: a helix.
     first : int
         The first move of which all of the start is known. Those before come from wherever the tool was.
+    apart : (m,) int array
+        Moves that lead to the home of the machine, which only it knows, or back from there.
     """
 
     points: np.ndarray
@@ -44,6 +46,7 @@ class Toolpath:
     centres: np.ndarray
     turns: np.ndarray
     first: int
+    apart: np.ndarray
 
     def __len__(self):
         return len(self.points)
@@ -59,7 +62,7 @@ class Toolpath:
         return np.concatenate((np.zeros((1, 3)), self.points[:-1]))[: len(self)]
 
     def segments(self, tolerance):
-        """Straight pieces of all moves from the first known one on, with chords at most so far from arcs.
+        """Straight pieces of all moves that are known at both ends, with chords at most so far from arcs.
 
         Parameters
         ----------
@@ -83,12 +86,14 @@ class Toolpath:
         counts = self.pieces(tolerance)
         moves = np.repeat(np.arange(len(self)), counts)
         ends = self.points[moves]
-        chords, first = counts[self.arcs], (np.cumsum(counts) - counts)[self.arcs]
+        chords, first = counts[self.arcs], np.cumsum(counts) - counts
         inner = np.maximum(chords - 1, 0)  # the last point of an arc is that of the program itself
         arc, before, _ = cells(inner, np.ones_like(inner))
-        ends[first[arc] + before] = self.along_arcs(arc, (before + 1) / chords[arc])
-        begin = self.points[self.first - 1] if self.first else np.zeros(3)
-        return np.concatenate((begin[None], ends[:-1]))[: len(ends)], ends, moves
+        ends[first[self.arcs[arc]] + before] = self.along_arcs(arc, (before + 1) / chords[arc])
+        starts = np.concatenate((np.zeros((1, 3)), ends[:-1]))[: len(ends)]
+        led_to = first[[move for move in (self.first, *self.apart + 1) if move < len(self) and counts[move]]]
+        starts[led_to] = self.starts[moves[led_to]]
+        return starts, ends, moves
 
     def along_arcs(self, arc, parts):
         """Points of some arcs (k,) at parts of their ways; a radius goes evenly from that of the start to the end's."""
@@ -107,6 +112,7 @@ class Toolpath:
         counts = np.ones(len(self), dtype=np.int64)
         counts[self.arcs] = chords(self.radii(), np.linalg.norm(self.turns, axis=1), tolerance)
         counts[: self.first] = 0
+        counts[self.apart] = 0
         return counts
 
     def radii(self):
