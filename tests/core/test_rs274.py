@@ -73,6 +73,15 @@ def test_beside_a_contour_that_is_turned_and_moved_the_tool_is_as_well():
     assert np.allclose(turned.turns, plainly.turns) and len(plainly) > 9
 
 
+def test_arcs_of_several_turns_have_as_many_beside_the_contour():
+    text = "G21 F100 G0 X0 Y0 Z0\nG41.1 D2 G1 X10\nG3 X10 Y0 I0 J5 P3 Z-3\nX15 Y5 J5 P2\nG40 G1 X0\nM2"
+    path = sw.machining.read(text)
+    assert path.turns[:, 2] == pytest.approx([6 * np.pi, 2.5 * np.pi])
+    assert path.points[path.arcs] * 1e3 == pytest.approx(np.array([(10, 1, -3), (14, 5, -3)]))
+    entering = sw.machining.read("G21 F100 G0 X0 Y0 Z0\nG41.1 D2 G3 X10 Y0 I5 P2\nX0 I-5\nG40 G1 X0 Y50\nM2")
+    assert entering.turns[:, 2] // (2 * np.pi) == pytest.approx([1, 0])
+
+
 @pytest.mark.parametrize("diameter", [0.004, 0.006, 0.008])
 def test_what_is_cut_beside_a_contour_does_not_hang_on_how_wide_the_tool_is(diameter):
     """A boss of 20 mm with round corners of 4 stays, of which 2 mm are seen."""

@@ -16,7 +16,7 @@ import math
 from dataclasses import dataclass
 
 from ...declared.refusals import ShapeError
-from .toolpath import ARC, RAPID, ROUND
+from .toolpath import ARC, FEED, RAPID, ROUND
 
 ALONG = 0.05  # radians: at a corner that turns less, the tool goes straight on, as LinuxCNC does
 NEAR = 1e-9  # metres: rounding of lengths
@@ -122,7 +122,8 @@ class Compensation:
         if self.last is None:
             self.require_long(end - begin)
             move.begin, move.centre = begin, level(begin, move.end, middle)
-            move.room = swept(begin - move.centre, move.end - move.centre, turn) or math.tau
+            whole = math.ceil(abs(angle) / math.tau - NEAR) - 1
+            move.room = math.tau * whole + (swept(begin - move.centre, move.end - move.centre, turn) or math.tau)
         self.follow(move, leaving)
 
     def aside(self, ahead):
@@ -151,7 +152,8 @@ class Compensation:
                     self.go_round(move)
                 elif move.centre is not None:
                     move.begin = last.end
-                    move.room = swept(move.begin - move.centre, move.end - move.centre, move.turn) or math.tau
+                    part = swept(move.begin - move.centre, move.end - move.centre, move.turn)
+                    move.room = part + math.tau * round((move.room - part) / math.tau)
         self.last = move
 
     def go_round(self, move):
@@ -165,11 +167,14 @@ class Compensation:
 
     def make(self):
         """Make the last move, and those that lead up and down where it ends."""
-        last = self.last
+        last, arc, kind = self.last, None, self.last.kind
         if last.room < -NEAR:
             raise ShapeError(f"goes into a corner that a tool of radius {millimetres(self.radius)} does not fit into")
-        arc = None if last.centre is None else (last.centre, last.low, last.turn * last.room)
-        self.add(last.end, last.height, last.kind, last.line, arc)
+        if last.centre is not None and last.room > NEAR:
+            arc = last.centre, last.low, last.turn * last.room
+        elif last.centre is not None:
+            kind = FEED  # nothing is left of it
+        self.add(last.end, last.height, kind, last.line, arc)
         for height, kind, line in self.upright:
             self.add(last.end, height, kind, line)
         self.upright = []
