@@ -67,10 +67,10 @@ def test_a_rapid_move_through_the_stock_ends_with_1_without_a_part_too(folder, c
 
 
 def test_what_is_told_wrong_ends_with_2(folder, capsys):
-    (folder / "part.nc").write_text("G0 X1\nG41 D1\n")
+    (folder / "part.nc").write_text("G0 X1\nG33 K2\n")
     assert verify(folder) == 2
     refused = capsys.readouterr().err
     assert refused.startswith(f"{folder / 'stock.toml'}:2: ") and refused.count("\n") == 1
-    assert "part.nc: line 2 has G41, cutter radius compensation, which is not read" in refused
+    assert "part.nc: line 2 has G33, a move that the spindle times, which is not read" in refused
     assert main(["verify", str(folder / "part.toml")]) == 2
     assert "kind: must be machined-stock, got 'placed'" in capsys.readouterr().err

@@ -65,9 +65,9 @@ def test_an_edited_program_is_read_when_it_has_stood_still(scene):
 
 def test_a_mistake_leaves_the_mesh_and_names_the_line(scene):
     ob = sw.to_object(stock())
-    ob.data.sweep.machined_stock.program_text.from_string(SLOT + "G41 D1\n")
+    ob.data.sweep.machined_stock.program_text.from_string(SLOT + "G33 K2\n")
     rebuild(ob.data)
-    assert ob.data.sweep.error == "program: line 6 has G41, cutter radius compensation, which is not read"
+    assert ob.data.sweep.error == "program: line 6 has G33, a move that the spindle times, which is not read"
     assert deepest(ob) == 2
     ob.data.sweep.machined_stock.program_text.from_string(SLOT.replace("Z-2", "Z-1"))
     rebuild(ob.data)

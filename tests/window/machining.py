@@ -45,8 +45,8 @@ def machining(person):
     person.area.spaces.active.region_3d.view_distance = 0.08
     yield from person.picture("m1-added")
 
-    yield from read(mesh, WRONG + "G41 D1\n")
-    assert "line 6 has G41" in mesh.sweep.error and deepest(mesh) < 23 / 12
+    yield from read(mesh, WRONG + "G33 K2\n")
+    assert "line 6 has G33" in mesh.sweep.error and deepest(mesh) < 23 / 12
     yield from person.picture("m2-mistake")
     yield from read(mesh, WRONG)
     assert not mesh.sweep.error and mesh.sweep.told == "Rapid moves cut up to 2 mm into the stock, by line 4."
