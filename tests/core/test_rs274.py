@@ -112,18 +112,30 @@ G28 G91 Z0 Y0
 M30"""
 
 
-def test_moves_to_a_home_that_is_not_told_and_back_are_left_out():
+@pytest.mark.parametrize("away", ["G91 G28 Z0", "G53 G0 Z0"])
+def test_moves_to_a_place_that_is_not_told_and_back_are_left_out(away):
     """As of most programs of Fanuc's dialect, which change tools there: until all axes are told a place again."""
-    path = sw.machining.read(CHANGED)
+    program = CHANGED.replace("G91 G28 Z0", away)
+    path = sw.machining.read(program)
     starts, ends, moves = path.segments(1e-6)
     slots = [(0, 0, 5), (0, 0, -1), (10, 0, -1), (10, 0, 5)], [(10, 10, 5), (10, 10, -1), (0, 10, -1), (0, 10, 5)]
     assert (starts * 1e3).round(9).tolist() == [list(place) for slot in slots for place in slot[:-1]]
     assert (ends * 1e3).round(9).tolist() == [list(place) for slot in slots for place in slot[1:]]
     assert path.lines[moves].tolist() == [6, 7, 8, 13, 14, 15]
     assert path.lines[path.apart[path.apart > path.first]].tolist() == [9, 11, 12, 16]
-    told = sw.MachinedStock(CHANGED, cell=5e-4).verify().sentences()
-    sentence = "Moves to the home of the machine and back are not looked at, by 4 lines, from line 9 on"
+    told = sw.MachinedStock(program, cell=5e-4).verify().sentences()
+    sentence = "Moves to places of the machine and back (G28, G53) are not looked at, by 4 lines, from line 9 on"
     assert any(each.startswith(sentence) for each in told)
+
+
+def test_a_place_of_the_machine_counts_where_the_program_has_set_an_offset_or_cuts_from_there():
+    offset = sw.machining.read("F9 G10 L2 P1 Z-7\nG0 X0 Y0 Z5\nG1 Z-1\nG53 G0 Z0\nG0 X9")
+    assert (offset.points[:, 2] * 1e3).round(9).tolist() == [-2, -8, 0, 0] and not len(offset.apart)
+    cut = sw.machining.read("F9 G0 X0 Y0 Z5\nG1 Z-1\nG53 G0 Z0\nG0 X9\nG1 X12")
+    starts, _, moves = cut.segments(1e-6)
+    assert (
+        cut.apart.tolist() == [2, 3] and (starts[-1] * 1e3).round(9).tolist() == [9, 0, 0] and moves.tolist() == [1, 4]
+    )
 
 
 def test_a_home_that_the_program_tells_is_gone_to():

@@ -24,12 +24,14 @@ def decided(machined, known):
 
 
 def left_out(path):
-    """A sentence on moves to the home of the machine and back."""
+    """A sentence on moves to places of the machine, and back."""
     lines = np.unique(path.lines[path.apart[path.apart >= path.first]]).tolist()
     if not lines:
         return []
     where = f"line {lines[0]}" if len(lines) == 1 else f"{len(lines)} lines, from line {lines[0]} on"
-    return [f"Moves to the home of the machine and back are not looked at, by {where}: no program tells where it is."]
+    return [
+        f"Moves to places of the machine and back (G28, G53) are not looked at, by {where}: where they are it knows."
+    ]
 
 
 def missing(used, known):

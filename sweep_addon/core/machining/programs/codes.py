@@ -209,7 +209,7 @@ def set_offsets(machine, words):
     system = number - 1 if number else machine.system
     if "r" in words:
         machine.rotations[system] = words["r"]
-    offsets = machine.offsets[system]
+    offsets, machine.has_offsets = machine.offsets[system], True
     if kind == 2:
         for axis, letter in enumerate(AXES):
             if letter in words:

@@ -39,6 +39,8 @@ class Machine:
         self.at = [0.0, 0.0, 0.0]
         self.known = [False] * 3
         self.lost = set()  # axes at the home of the machine, which only it knows
+        self.away = set()  # axes at places of the machine, where no offset says how they lie to those of the program
+        self.has_offsets = False
         self.homes = {}  # places of the machine by the number of their G code, 28 or 30
         self.first = None
         self.cycle = SimpleNamespace(level=None, words={})
@@ -81,7 +83,7 @@ class Machine:
         if self.beside:
             self.beside.straight(place, kind, line)
         else:
-            self.moved.add(place, kind, line, self.tool, bool(self.lost))
+            self.moved.add(place, kind, line, self.tool, bool(self.lost or self.away))
         self.at, self.off_contour = place, False
 
     def turn(self, place, centre, angle, line):
@@ -111,7 +113,13 @@ class Machine:
             self.beside.finish()
             self.beside = None
 
+    def leave(self, axes):
+        """Let axes be where the program does not tell."""
+        self.known = [known and axis not in axes for axis, known in enumerate(self.known)]
+
     def begin(self, kind):
+        if kind != RAPID:
+            self.away.clear()  # the program counts on them
         if self.first is None and (kind != RAPID or all(self.known)):
             self.first = self.moved.count + (self.beside.waiting if self.beside else 0)
 

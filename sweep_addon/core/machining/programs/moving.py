@@ -57,7 +57,9 @@ def polar(machine, words, absolute):
 def know(machine, words):
     """Note which axes have been told a place."""
     if machine.absolute:
-        machine.lost -= {axis for axis, letter in enumerate(AXES) if letter in words}
+        told = {axis for axis, letter in enumerate(AXES) if letter in words}
+        machine.lost -= told
+        machine.away -= told
     machine.known = [
         known or letter in words or (letter != "z" and ("@" in words or "^" in words))
         for known, letter in zip(machine.known, AXES, strict=True)
@@ -71,7 +73,11 @@ def straight(machine, words, kind, line):
 
 
 def in_machine(machine, words, kind, line):
-    """Move straight to a place of the machine, whatever its offsets."""
+    """Move straight to a place of the machine, whatever its offsets.
+
+    Where the program has set none, how that lies to its own zero only the machine knows: a fast move there is mostly up
+    and out of the way. What moves at a feed before it has told another place counts on the zeros to be one.
+    """
     if not machine.absolute:
         raise ShapeError("has G53, a place of the machine, where G91 says that places are relative")
     require_feed(machine, words, kind)
@@ -80,8 +86,15 @@ def in_machine(machine, words, kind, line):
     for axis, letter in enumerate(AXES):
         if letter in words:
             place[axis] = words[letter] * machine.unit
-    machine.go_machine(place, kind, line)
-    know(machine, words)
+    told = {axis for axis, letter in enumerate(AXES) if letter in words}
+    if kind == RAPID and not machine.has_offsets:
+        machine.away |= told
+        machine.leave(told)
+        machine.go_machine(place, kind, line)
+    else:
+        machine.go_machine(place, kind, line)
+        know(machine, words)
+    machine.lost -= told
 
 
 def home(machine, number, words, line):
@@ -100,7 +113,7 @@ def home(machine, number, words, line):
         machine.lost -= set(axes)
         return
     machine.lost |= set(axes)
-    machine.known = [known and axis not in axes for axis, known in enumerate(machine.known)]
+    machine.leave(axes)
     machine.go_machine(machine.at, RAPID, line)
 
 

@@ -26,7 +26,7 @@ def run_of(machine, lines, start):
 
     It can where the first place of all axes is known, so that a move is what its line says and no more.
     """
-    straight = machine.motion in (0, 10) and not (machine.spline or machine.beside or machine.lost)
+    straight = machine.motion in (0, 10) and not (machine.spline or machine.beside or machine.lost or machine.away)
     if not straight or machine.first is None or machine.feed_mode == 930:
         return []
     found, match = [], LINE.match

@@ -35,7 +35,7 @@ class Toolpath:
     first : int
         The first move of which all of the start is known. Those before come from wherever the tool was.
     apart : (m,) int array
-        Moves that lead to the home of the machine, which only it knows, or back from there.
+        Moves that lead to the home or to another place of the machine, which only it knows, or back from there.
     """
 
     points: np.ndarray
