@@ -9,7 +9,8 @@ from ..sweep_addon.core.declared.refusals import ShapeError
 from ..sweep_addon.core.later import later
 
 crossings, objects = later("bridge.crossings"), later("bridge.objects")
-finding, live, solving = later("properties.finding"), later("properties.live"), later("properties.solving")
+finding, rendering = later("properties.finding"), later("properties.rendering")
+live, solving = later("properties.live"), later("properties.solving")
 
 TICK = 0.05  # seconds in which the window asks how far a solid is
 
@@ -123,7 +124,7 @@ class OBJECT_OT_sweep_make_solid(Operator):
             work.stop()
         elif event.type != "TIMER":
             return {"PASS_THROUGH"}
-        elif not work.done:
+        elif not work.done or rendering.goes_on():
             context.window_manager.progress_update(work.part)
             finding.redraw()
             return {"PASS_THROUGH"}

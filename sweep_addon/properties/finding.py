@@ -12,7 +12,7 @@ import bpy
 
 from ..core.declared.parameters import ShapeError
 from ..core.later import later
-from . import solving
+from . import rendering, solving
 from .live import AWAITED, set_if_other
 
 crossings = later("bridge.crossings")
@@ -59,8 +59,8 @@ def look():
     due = [mesh for mesh in bpy.data.meshes if is_due(mesh)]
     if not due:
         return None
-    if bpy.app.is_job_running("RENDER"):
-        return MOMENT  # meshes are as the render asks for
+    if rendering.goes_on():
+        return MOMENT
     unseen = [mesh for mesh in due if mesh.sweep.looked_at != mesh.sweep.made]
     if unseen:
         find(unseen[0], searched=False)  # nobody has asked, and the window waits

@@ -6,6 +6,8 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..core.later import later
+from . import rendering, turns
+from .rendering import held
 
 mark = later("bridge.meshes", "mark")
 has_fast = later("bridge.solvers", "has_fast")
@@ -21,10 +23,7 @@ INPUTS = {"CURVE", "FONT", "EMPTY", "MESH"}
 @persistent
 def after_update(scene, depsgraph):
     """An input object was edited or moved, a driver's input moved, or a mesh was edited by hand."""
-    for mesh in touched(depsgraph.updates):
-        if renders_otherwise(mesh) and bpy.app.is_job_running("RENDER"):
-            continue  # it is as the render asks for; its end brings back what is shown
-        rebuild(mesh, depsgraph)
+    for mesh in remade(touched(depsgraph.updates), depsgraph):
         if mesh.is_editmode:
             set_if_other(mesh.sweep, "edited", True)
         elif mesh.is_editable:
@@ -38,10 +37,19 @@ def after_update(scene, depsgraph):
 def after_frame(scene, depsgraph):
     """Time has passed, for meshes or input objects that keyframes and drivers move; or a render has begun."""
     rendered = filter(renders_otherwise, sweeps()) if depsgraph.mode == "RENDER" else ()
-    for mesh in touched(depsgraph.updates).union(rendered):
-        rebuild(mesh, depsgraph)
+    for mesh in remade(touched(depsgraph.updates).union(rendered), depsgraph):
         if finding.is_due(mesh):
             finding.soon()
+
+
+def remade(meshes, depsgraph):
+    """Make meshes anew for what evaluates the scene, and yield those that the window may look at."""
+    for mesh in meshes:
+        if not turns.is_ours():
+            held.remake(mesh, depsgraph)
+        elif mesh not in held:  # else it is as a render asks for, whose end brings back what is shown
+            rebuild(mesh, depsgraph)
+            yield mesh
 
 
 @persistent
@@ -79,9 +87,7 @@ def after_overrides(*_):
 @persistent
 def after_render(scene, *_):
     """A render leaves the mesh of its last frame behind: the frame that is shown comes back."""
-    for mesh in sweeps():
-        if mesh.animation_data or inputs(mesh) or renders_otherwise(mesh):
-            rebuild(mesh)
+    turns.in_turn(held.release)
 
 
 def sweeps():
@@ -126,6 +132,8 @@ HANDLERS = (
     (bpy.app.handlers.frame_change_post, after_frame),
     (bpy.app.handlers.render_complete, after_render),
     (bpy.app.handlers.render_cancel, after_render),
+    (bpy.app.handlers.object_bake_complete, after_render),
+    (bpy.app.handlers.object_bake_cancel, after_render),
     (bpy.app.handlers.save_pre, at_file),
     (bpy.app.handlers.undo_post, after_history),
     (bpy.app.handlers.redo_post, after_history),
@@ -139,10 +147,12 @@ HANDLERS = (
 def register():
     for handlers, function in HANDLERS:
         handlers.append(function)
+    rendering.begin()
 
 
 def unregister():
     for handlers, function in HANDLERS:
         handlers.remove(function)
+    rendering.stop()
     finding.stop()
     reading.stop()

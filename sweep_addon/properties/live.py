@@ -10,6 +10,7 @@ from ..core.declared.parameters import ShapeError
 from ..core.declared.plain import VERSION
 from ..core.later import later
 from ..core.shapes.generalized_cylinder import GeneralizedCylinder
+from .turns import in_turn, is_ours
 
 solvers, texts, reading = later("bridge.solvers"), later("bridge.texts"), later("properties.reading")
 joined = later("core.meshes.joining", "joined")
@@ -32,7 +33,7 @@ def rebuild(mesh, depsgraph=None):
     sweep = mesh.sweep
     if sweep.kind == "NONE" or mesh.is_editmode:
         return
-    if objects.is_written(mesh) and not (depsgraph and depsgraph.mode == "RENDER"):
+    if objects.is_written(mesh) and not is_rendered(depsgraph):
         texts.follow(mesh)
         reading.begin()
     source = source_of(mesh, depsgraph)
@@ -43,12 +44,12 @@ def rebuild(mesh, depsgraph=None):
         wanted, later = digest(shapes), waits(depsgraph)
         if wanted == sweep.made and not sweep.error and (later or not sweep.solid):
             return
-        room = meshes.room_for_places(mesh) if len(shapes) == 1 else None
+        room = meshes.room_for_places(mesh) if len(shapes) == 1 and is_ours() else None
         made = [(surface if later else mesh_of)(shape, room) for shape in shapes]
         if None in made and objects.GOES_ON.get():
             made, later = list(map(mesh_of, shapes)), False
     except ShapeError as error:
-        set_if_other(sweep, "error", str(error))
+        in_turn(set_if_other, sweep, "error", str(error))
         return
     if None in made:  # there is nothing to see at once: the last mesh stays until this one is made
         sweep.made = wanted
@@ -56,7 +57,7 @@ def rebuild(mesh, depsgraph=None):
             set_if_other(sweep, name, value)
         return
     made = joined(made)
-    put(mesh, made, wanted, room, AWAITED if later and any(map(wants_solid, shapes)) else "")
+    in_turn(put, mesh, made, wanted, room, AWAITED if later and any(map(wants_solid, shapes)) else "")
 
 
 def source_of(mesh, depsgraph):
@@ -88,9 +89,14 @@ def put(mesh, made, wanted, room=None, solid=""):
         set_if_other(sweep, name, value)
 
 
+def is_rendered(depsgraph):
+    """Whether a render asks, or another thread, as that of an export."""
+    return bool(depsgraph and depsgraph.mode == "RENDER") or not is_ours()
+
+
 def waits(depsgraph):
     """Whether somebody sees the surface while a solid is made: there is a window, and this is no render."""
-    return not bpy.app.background and not (depsgraph and depsgraph.mode == "RENDER")
+    return not bpy.app.background and not is_rendered(depsgraph)
 
 
 def wants_solid(shape):

@@ -9,6 +9,7 @@ import bpy
 
 from ..bridge.objects import is_written, text_of
 from ..bridge.texts import held_by
+from . import rendering
 from .finding import redraw
 from .live import rebuild
 
@@ -24,7 +25,7 @@ class Watch:
     def __call__(self):
         """Make meshes anew whose text has changed and then stood still, and say when to look again."""
         watched = [mesh for mesh in bpy.data.meshes if is_watched(mesh)]
-        if bpy.app.is_job_running("RENDER"):
+        if rendering.goes_on():
             return PAUSE
         seen, self.seen = self.seen, {}
         for mesh in watched:
