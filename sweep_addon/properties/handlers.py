@@ -90,6 +90,12 @@ def after_render(scene, *_):
     turns.in_turn(held.release)
 
 
+@persistent
+def before_close(*_):
+    """The window ends its renders, and waits for that."""
+    turns.CLOSED.set()
+
+
 def sweeps():
     return [mesh for mesh in bpy.data.meshes if mesh.sweep.kind != "NONE"]
 
@@ -137,6 +143,7 @@ HANDLERS = (
     (bpy.app.handlers.save_pre, at_file),
     (bpy.app.handlers.undo_post, after_history),
     (bpy.app.handlers.redo_post, after_history),
+    (bpy.app.handlers.load_pre, before_close),
     (bpy.app.handlers.load_post, after_history),
     (bpy.app.handlers.load_post, after_load),
     (bpy.app.handlers.load_post, after_overrides),

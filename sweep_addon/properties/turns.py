@@ -10,8 +10,9 @@ from collections import deque
 from functools import partial
 from threading import Event, Lock, get_ident, main_thread
 
-PATIENCE = 20.0  # seconds; a window that ends a render, because its file is closed, waits for it and gives no turns
+PATIENCE, MOMENT = 20.0, 0.05  # seconds that a turn is waited for, and between two looks whether it will come
 WAITING = deque()
+CLOSED = Event()  # while the window waits for the end of other threads, and no turn will come
 
 
 class Turn:
@@ -43,14 +44,17 @@ def in_turn(function, *arguments):
         return
     turn = Turn(partial(function, *arguments))
     WAITING.append(turn)
-    if not turn.done.wait(PATIENCE):
-        turn.take()
-    turn.done.wait()
+    waited = 0.0
+    while not turn.done.wait(MOMENT):
+        waited += MOMENT
+        if CLOSED.is_set() or waited > PATIENCE:
+            turn.take()
     if turn.raised:
         raise turn.raised
 
 
 def give():
     """Make the calls that wait."""
+    CLOSED.clear()
     while WAITING:
         WAITING.popleft().take()
