@@ -91,9 +91,20 @@ def after_render(scene, *_):
 
 
 @persistent
+def before_evaluation(*_):
+    if turns.is_ours():
+        turns.window.before_evaluation()
+
+
+@persistent
+def after_evaluation(*_):
+    if turns.is_ours():
+        turns.window.after_evaluation()
+
+
+@persistent
 def before_close(*_):
-    """The window ends its renders, and waits for that."""
-    turns.CLOSED.set()
+    turns.window.before_close()
 
 
 def sweeps():
@@ -134,6 +145,10 @@ def users_of(changed):
 
 
 HANDLERS = (
+    (bpy.app.handlers.depsgraph_update_pre, before_evaluation),
+    (bpy.app.handlers.frame_change_pre, before_evaluation),
+    (bpy.app.handlers.depsgraph_update_post, after_evaluation),
+    (bpy.app.handlers.frame_change_post, after_evaluation),
     (bpy.app.handlers.depsgraph_update_post, after_update),
     (bpy.app.handlers.frame_change_post, after_frame),
     (bpy.app.handlers.render_complete, after_render),

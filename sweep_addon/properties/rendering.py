@@ -57,7 +57,7 @@ def goes_on():
 
 def attend():
     """What the timer calls."""
-    turns.give()
+    turns.window.give()
     if any(map(bpy.app.is_job_running, JOBS)):
         return SOON
     if held.meshes and monotonic() - held.asked > QUIET:

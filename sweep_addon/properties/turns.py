@@ -4,15 +4,18 @@
 
 A window renders and bakes in a thread of Blender's own, in which handlers are called. Where that wrote a mesh while the
 window evaluated it, Blender crashed: see the note on altering data in the documentation of ``bpy.app.handlers``.
+
+The window may itself wait for that thread: EEVEE keeps the graphics card while it looks for motion blur, and a file
+that is closed waits for its renders. No turn comes then, and the thread writes, but never while the window evaluates.
 """
 
 from collections import deque
 from functools import partial
 from threading import Event, Lock, get_ident, main_thread
 
-PATIENCE, MOMENT = 20.0, 0.05  # seconds that a turn is waited for, and between two looks whether it will come
-WAITING = deque()
-CLOSED = Event()  # while the window waits for the end of other threads, and no turn will come
+MOMENT = 0.02  # seconds between two looks whether the turn has come
+PATIENCE = 0.5  # seconds that a turn is waited for; a moment, while the window does not answer
+FOR_EVER = 20.0  # seconds after which nothing is waited for: then nobody has told the end of an evaluation
 
 
 class Turn:
@@ -32,9 +35,53 @@ class Turn:
             self.done.set()
 
 
+class Window:
+    """The thread that draws, as others see it."""
+
+    def __init__(self):
+        self.waiting, self.patience = deque(), PATIENCE
+        self.writing, self.evaluating = Lock(), False
+        self.stands_in = None  # the thread that writes in its place
+
+    def before_evaluation(self):
+        """Wait for the end of what another thread writes."""
+        with self.writing:
+            self.evaluating = True
+
+    def after_evaluation(self):
+        self.evaluating = False
+
+    def before_close(self):
+        """Whoever waits for a turn waits in vain: the window waits for them."""
+        self.patience = MOMENT
+
+    def give(self):
+        """Make the calls that wait."""
+        self.patience, self.evaluating = PATIENCE, False
+        while self.waiting:
+            self.waiting.popleft().take()
+
+    def wait(self, turn):
+        """Wait until a call is made, by the window or else here."""
+        self.waiting.append(turn)
+        waited = 0.0
+        while not turn.done.wait(MOMENT):
+            waited += MOMENT
+            if waited < self.patience:
+                continue
+            with self.writing:
+                if not self.evaluating or waited > FOR_EVER:
+                    self.patience, self.stands_in = MOMENT, get_ident()
+                    turn.take()
+                    self.stands_in = None
+
+
+window = Window()
+
+
 def is_ours():
-    """Whether this is the thread that draws."""
-    return get_ident() == main_thread().ident
+    """Whether this is the thread that draws, or writes in its place."""
+    return get_ident() in (main_thread().ident, window.stands_in)
 
 
 def in_turn(function, *arguments):
@@ -43,18 +90,6 @@ def in_turn(function, *arguments):
         function(*arguments)
         return
     turn = Turn(partial(function, *arguments))
-    WAITING.append(turn)
-    waited = 0.0
-    while not turn.done.wait(MOMENT):
-        waited += MOMENT
-        if CLOSED.is_set() or waited > PATIENCE:
-            turn.take()
+    window.wait(turn)
     if turn.raised:
         raise turn.raised
-
-
-def give():
-    """Make the calls that wait."""
-    CLOSED.clear()
-    while WAITING:
-        WAITING.popleft().take()

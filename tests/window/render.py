@@ -2,12 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """F12: a picture is sampled as renders ask for while the view keeps its own, also when the shape changes meanwhile.
 
-A ring of three contours in the view and of 200 in a render, from above: the pixels it covers are counted.
+A ring of three contours in the view and of 200 in a render, from above: the pixels it covers are counted. Whatever asks
+for it, its mesh is written by the thread that draws it.
 """
+
+from importlib import import_module
 
 import bpy
 import numpy as np
 from _window import PICTURES, run
+
+EXTENSION = "bl_ext.user_default.sweep_addon.sweep_addon"
+live, turns = (import_module(f"{EXTENSION}.properties.{name}") for name in ("live", "turns"))
 
 FIELD, PIXELS = 4.0, 256
 RING = 2 * np.pi * 1.5 * 0.2  # square metres that a ring of 1.5 m covers, its wire 0.2 m thick
@@ -26,7 +32,7 @@ def settle(scene):
     scene.camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     scene.collection.objects.link(scene.camera)
     scene.camera.location.z, scene.camera.data.type, scene.camera.data.ortho_scale = 20, "ORTHO", FIELD
-    scene.render.engine, scene.cycles.samples = "CYCLES", 64
+    scene.render.engine, scene.cycles.samples = "CYCLES", 24
     scene.render.resolution_x = scene.render.resolution_y = PIXELS
     scene.render.film_transparent, scene.render.image_settings.color_mode = True, "RGBA"
 
@@ -45,8 +51,16 @@ def rendered(person, name, meanwhile=lambda: None, **options):
     yield 0.5
 
 
+def watched():
+    """Whether what was written was, each time, by the thread that draws, or in its place: a list to be filled."""
+    writers, put = [], live.put
+    live.put = lambda *made: [writers.append(turns.is_ours()), put(*made)]
+    return writers
+
+
 def render(person):
     yield 0.5
+    writers = watched()
     bpy.context.preferences.view.render_display_type = "NONE"
     PICTURES.mkdir(parents=True, exist_ok=True)
     bpy.data.batch_remove(list(bpy.data.objects))
@@ -70,6 +84,7 @@ def render(person):
     yield from rendered(person, "r3.png")
     assert abs(covered("r3.png") / (2 * RING) - 1) < 0.01
 
+    group.samples_count_contours, group.samples_count_render = 200, 0
     for frame, radius in ((1, 0.1), (4, 0.4)):
         group.contour_circle_radius = radius
         ring.data.keyframe_insert("sweep.generalized_cylinder.contour_circle_radius", frame=frame)
@@ -78,7 +93,8 @@ def render(person):
     yield from rendered(person, "r-###", animation=True)
     covers = [covered(f"r-00{frame}.png") for frame in (1, 4)]
     assert np.allclose(np.divide(covers, RING), (1, 4), rtol=0.01), covers
-    assert len(ring.data.vertices) == 3 * 64 and abs(ring.dimensions.z - 0.2) < 1e-3
+    assert len(ring.data.vertices) == 200 * 64 and abs(ring.dimensions.z - 0.2) < 1e-3
+    assert len(writers) >= 15 and all(writers), writers
 
 
 run(render)
