@@ -67,8 +67,8 @@ def make():
     if not namespaces_allowed():
         if os.geteuid():
             raise SetupError(
-                "The real Blender needs a user namespace, and this machine forbids it to this user. Run this as root, "
-                f"or on Ubuntu: sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0. {WAY_OUT}"
+                "The real Blender needs a user namespace, which this machine, or a chroot, forbids to this user. "
+                f"Run this as root, or on Ubuntu: sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0. {WAY_OUT}"
             )
         if not shutil.which("proot"):
             apt.install(["proot"], "This container forbids namespaces; the real Blender is run by proot instead.")
