@@ -6,7 +6,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..core.later import later
-from . import rendering, turns
+from . import drawing_thread, rendering
 from .rendering import held
 
 mark = later("bridge.meshes", "mark")
@@ -45,7 +45,7 @@ def after_frame(scene, depsgraph):
 def remade(meshes, depsgraph):
     """Make meshes anew for what evaluates the scene, and yield those that the window may look at."""
     for mesh in meshes:
-        if not turns.is_ours():
+        if not drawing_thread.is_drawing_thread():
             held.remake(mesh, depsgraph)
         elif mesh not in held:  # else it is as a render asks for, whose end brings back what is shown
             rebuild(mesh, depsgraph)
@@ -87,24 +87,24 @@ def after_overrides(*_):
 @persistent
 def after_render(scene, *_):
     """A render leaves the mesh of its last frame behind: the frame that is shown comes back."""
-    turns.in_turn(held.release)
+    drawing_thread.in_drawing_thread(held.release)
 
 
 @persistent
 def before_evaluation(*_):
-    if turns.is_ours():
-        turns.window.before_evaluation()
+    if drawing_thread.is_drawing_thread():
+        drawing_thread.window.before_evaluation()
 
 
 @persistent
 def after_evaluation(*_):
-    if turns.is_ours():
-        turns.window.after_evaluation()
+    if drawing_thread.is_drawing_thread():
+        drawing_thread.window.after_evaluation()
 
 
 @persistent
 def before_close(*_):
-    turns.window.before_close()
+    drawing_thread.window.before_close()
 
 
 def sweeps():

@@ -10,7 +10,7 @@ from ..core.declared.parameters import ShapeError
 from ..core.declared.plain import VERSION
 from ..core.later import later
 from ..core.shapes.generalized_cylinder import GeneralizedCylinder
-from .turns import in_turn, is_ours
+from .drawing_thread import in_drawing_thread, is_drawing_thread
 
 solvers, texts, reading = later("bridge.solvers"), later("bridge.texts"), later("properties.reading")
 joined = later("core.meshes.joining", "joined")
@@ -44,12 +44,12 @@ def rebuild(mesh, depsgraph=None):
         wanted, later = digest(shapes), waits(depsgraph)
         if wanted == sweep.made and not sweep.error and (later or not sweep.solid):
             return
-        room = meshes.room_for_places(mesh) if len(shapes) == 1 and is_ours() else None
+        room = meshes.room_for_places(mesh) if len(shapes) == 1 and is_drawing_thread() else None
         made = [(surface if later else mesh_of)(shape, room) for shape in shapes]
         if None in made and objects.GOES_ON.get():
             made, later = list(map(mesh_of, shapes)), False
     except ShapeError as error:
-        in_turn(set_if_other, sweep, "error", str(error))
+        in_drawing_thread(set_if_other, sweep, "error", str(error))
         return
     if None in made:  # there is nothing to see at once: the last mesh stays until this one is made
         sweep.made = wanted
@@ -57,7 +57,7 @@ def rebuild(mesh, depsgraph=None):
             set_if_other(sweep, name, value)
         return
     made = joined(made)
-    in_turn(put, mesh, made, wanted, room, AWAITED if later and any(map(wants_solid, shapes)) else "")
+    in_drawing_thread(put, mesh, made, wanted, room, AWAITED if later and any(map(wants_solid, shapes)) else "")
 
 
 def source_of(mesh, depsgraph):
@@ -91,7 +91,7 @@ def put(mesh, made, wanted, room=None, solid=""):
 
 def is_rendered(depsgraph):
     """Whether a render asks, or another thread, as that of an export."""
-    return bool(depsgraph and depsgraph.mode == "RENDER") or not is_ours()
+    return bool(depsgraph and depsgraph.mode == "RENDER") or not is_drawing_thread()
 
 
 def waits(depsgraph):

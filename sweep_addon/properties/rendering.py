@@ -11,7 +11,7 @@ from time import monotonic
 import bpy
 
 from ..core.later import later
-from . import turns
+from . import drawing_thread
 
 inputs, renders_otherwise = later("bridge.objects", "inputs", "renders_otherwise")
 rebuild = later("properties.live", "rebuild")
@@ -57,7 +57,7 @@ def goes_on():
 
 def attend():
     """What the timer calls."""
-    turns.window.give()
+    drawing_thread.window.give()
     if any(map(bpy.app.is_job_running, JOBS)):
         return SOON
     if held.meshes and monotonic() - held.asked > QUIET:

@@ -13,7 +13,7 @@ import numpy as np
 from _window import PICTURES, run
 
 EXTENSION = "bl_ext.user_default.sweep_addon.sweep_addon"
-live, turns = (import_module(f"{EXTENSION}.properties.{name}") for name in ("live", "turns"))
+live, drawing_thread = (import_module(f"{EXTENSION}.properties.{name}") for name in ("live", "drawing_thread"))
 
 FIELD, PIXELS = 4.0, 256
 RING = 2 * np.pi * 1.5 * 0.2  # square metres that a ring of 1.5 m covers, its wire 0.2 m thick
@@ -54,7 +54,7 @@ def rendered(person, name, meanwhile=lambda: None, **options):
 def watched():
     """Whether what was written was, each time, by the thread that draws, or in its place: a list to be filled."""
     writers, put = [], live.put
-    live.put = lambda *made: [writers.append(turns.is_ours()), put(*made)]
+    live.put = lambda *made: [writers.append(drawing_thread.is_drawing_thread()), put(*made)]
     return writers
 
 

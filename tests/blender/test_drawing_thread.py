@@ -10,14 +10,14 @@ bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
 from scenes import extent, square, sweep
 
-from sweep_addon.properties import live, rendering, turns
+from sweep_addon.properties import drawing_thread, live, rendering
 
 
 @pytest.fixture
 def window(monkeypatch):
     """A window of the test's own."""
-    own = turns.Window()
-    monkeypatch.setattr(turns, "window", own)
+    own = drawing_thread.Window()
+    monkeypatch.setattr(drawing_thread, "window", own)
     return own
 
 
@@ -35,7 +35,7 @@ def asking(writers):
             writers.append(get_ident())
             call()
 
-        thread = Thread(target=turns.in_turn, args=(write,), daemon=True)
+        thread = Thread(target=drawing_thread.in_drawing_thread, args=(write,), daemon=True)
         thread.start()
         return thread
 
@@ -43,7 +43,7 @@ def asking(writers):
 
 
 def test_the_thread_that_draws_writes_at_once(window, writers):
-    turns.in_turn(writers.append, get_ident())
+    drawing_thread.in_drawing_thread(writers.append, get_ident())
     assert writers == [get_ident()] and not window.waiting
 
 
@@ -58,12 +58,12 @@ def test_another_thread_waits_for_its_turn(window, writers, asking, monkeypatch)
 
 
 def test_where_no_turn_comes_it_writes_itself_and_is_quicker_to_do_so_again(window, writers, asking):
-    thread = asking(lambda: turns.in_turn(writers.append, get_ident()))  # what it calls may ask too
+    thread = asking(lambda: drawing_thread.in_drawing_thread(writers.append, get_ident()))  # what it calls may ask too
     thread.join(5)
     assert not thread.is_alive() and writers == [thread.ident, thread.ident]
-    assert window.patience == turns.MOMENT
+    assert window.patience == drawing_thread.MOMENT
     window.give()
-    assert len(writers) == 2 and window.patience == turns.PATIENCE
+    assert len(writers) == 2 and window.patience == drawing_thread.PATIENCE
 
 
 def test_a_window_that_closes_a_file_is_not_waited_for(window, writers, asking, monkeypatch):
@@ -105,7 +105,7 @@ def test_who_asked_is_told_what_went_wrong(window):
 
     def ask():
         with pytest.raises(ZeroDivisionError) as error:
-            turns.in_turn(lambda: 1 / 0)
+            drawing_thread.in_drawing_thread(lambda: 1 / 0)
         told.append(error)
 
     thread = Thread(target=ask)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Sweep contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turns: what other threads would write into the scene is written by the thread that draws it.
+"""What other threads would write into the scene is written by the thread that draws it, which gives them turns.
 
 A window renders and bakes in a thread of Blender's own, in which handlers are called. Where that wrote a mesh while the
 window evaluated it, Blender crashed: see the note on altering data in the documentation of ``bpy.app.handlers``.
@@ -79,14 +79,14 @@ class Window:
 window = Window()
 
 
-def is_ours():
+def is_drawing_thread():
     """Whether this is the thread that draws, or writes in its place."""
     return get_ident() in (main_thread().ident, window.stands_in)
 
 
-def in_turn(function, *arguments):
+def in_drawing_thread(function, *arguments):
     """Call a function in the thread that draws, and come back when it is done."""
-    if is_ours():
+    if is_drawing_thread():
         function(*arguments)
         return
     turn = Turn(partial(function, *arguments))
