@@ -97,6 +97,59 @@ def test_around_a_hollow_edge_the_sides_are_told_by_both_faces():
     np.testing.assert_array_equal(inside, winding > 0.5)
 
 
+SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+
+
+def cells_in_a_row(count):
+    """Unit cubes one after the other along x, each open to the next by a square hole in a wall of no thickness.
+
+    Its points are those of a block; of each wall there are two sides, which meet round the hole.
+    """
+    outer = [np.insert(SQUARE, 0, cell + side, axis=1) for cell in range(count) for side in (0, 1)]
+    holes = [np.insert((SQUARE + 1) / 3, 0, cell, axis=1) for cell in range(1, count)]
+    vertices = np.concatenate(outer + holes)
+    triangles, ahead = [], [1, 2, 3, 0]
+
+    def quads(near, far):
+        for i, j in enumerate(ahead):
+            triangles.extend([(near[i], near[j], far[j]), (near[i], far[j], far[i])])
+
+    for cell in range(count):
+        low, high = (8 * cell + 4 * side + np.arange(4) for side in (0, 1))
+        quads(low, high)
+        for wall, hole, is_end in ((low[::-1], cell - 1, cell == 0), (high, cell, cell == count - 1)):
+            if is_end:
+                triangles.extend([wall[:3], wall[[0, 2, 3]]])
+            else:
+                rim = 8 * count + 4 * hole + np.arange(4)
+                quads(wall, rim if wall is high else rim[::-1])
+    return vertices, np.array(triangles)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 6])
+def test_beside_slits_of_no_thickness_the_side_is_that_of_the_solid(count):
+    vertices, triangles = cells_in_a_row(count)
+    edges = np.sort(np.concatenate((triangles[:, :2], triangles[:, 1:], triangles[:, ::2])), axis=1)
+    assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all()  # closed, and each edge of two faces
+    random = np.random.default_rng(count)
+    points = random.uniform(-0.5, (count + 0.5, 1.5, 1.5), (4000, 3))
+    points[:1000, 0] = np.round(points[:1000, 0]) + random.normal(size=1000) * 10.0 ** random.uniform(-9, -1, 1000)
+    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    turn *= np.linalg.det(turn)
+
+    def moved(places):
+        return places @ turn + (3.0, -2.0, 0.5)
+
+    corners = moved(vertices)
+    tree, normals = Tree.of(corners[triangles]), PseudoNormals.of(corners, triangles)
+    found = nearest(tree, moved(points), normals=normals)
+    half = np.array((count, 1, 1)) / 2
+    depth = (half - np.abs(points - half)).min(axis=1)
+    clear = np.abs(depth) > 1e-9
+    assert (normals.outside_of(tree, moved(points), found) == (depth < 0))[clear].all()
+    assert found.torn.any() == (count > 1)
+
+
 def solid_angles(points, corners):
     """How much of the view from each point triangles fill: van Oosterom, Strackee, 1983."""
     a, b, c = (corners[None, :, i] - points[:, None] for i in range(3))

@@ -175,14 +175,24 @@ def test_what_must_stay_empty_holds_the_part_on_its_whole_way_and_is_a_prism(pla
         assert (sw.classify(path.swept(), inside @ matrix[:3, :3].T + matrix[:3, 3]) >= 0).all()
 
 
+def ribbed(angle):
+    """A rod with ribs, turned about its axis, and its way out."""
+    upright = sw.solids.Cylinder(0.2, 1.0, points=16) | Block(0.6, 0.1, 0.1)
+    part = Placed(upright, [(np.cos(angle), -np.sin(angle), 0, 0), (np.sin(angle), np.cos(angle), 0, 0), (0, 0, 1, 0)])
+    return part, sw.removal_path(part, [Block(0.1, 0.1, 0.1).moved(x=3)], distance=0.8)
+
+
 @pytest.mark.parametrize("angle", [0.0, 0.3, 2.0])
 def test_what_must_stay_empty_has_no_films_within(angle):
     """The prisms of faces that lead meet the part and each other: of a part with ribs, nothing is left between them."""
-    upright = sw.solids.Cylinder(0.2, 1.0, points=16) | Block(0.6, 0.1, 0.1)
-    part = Placed(upright, [(np.cos(angle), -np.sin(angle), 0, 0), (np.sin(angle), np.cos(angle), 0, 0), (0, 0, 1, 0)])
-    path = sw.removal_path(part, [Block(0.1, 0.1, 0.1).moved(x=3)], distance=0.8)
-    mesh, own = path.swept().mesh(), part.mesh()
-    assert mesh.euler_characteristic() == 2
+    assert ribbed(angle)[1].swept().mesh().euler_characteristic() == 2
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 2.0, *np.linspace(0.05, 3.1, 25)[[1, 9, 13, 15, 23, 24]]])
+def test_what_must_stay_empty_holds_the_part_beside_slits_too(angle):
+    """Where the prisms meet but for rounding, slits of no thickness may lead into what is united of them."""
+    part, path = ribbed(angle)
+    own = part.mesh()
     points = np.random.default_rng(2).uniform(own.vertices.min(axis=0), own.vertices.max(axis=0), (4000, 3))
     inside = points[sw.classify(sw.solids.Triangles.of(own), points) > 0]
     assert len(inside) > 500

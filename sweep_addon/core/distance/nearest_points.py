@@ -5,12 +5,13 @@
 import numpy as np
 
 from ..declared.frozen import individual
-from ..vectors import norms
+from ..vectors import dot, norms
 from .tree import FAN
 from .triangles import nearest_places, squared_distances
 
 CHUNK = 1024  # points whose pairs with nodes, of eighteen numbers each, fit into a processor's own cache
 RELATIVE, ABSOLUTE = 4e-6, 1e-6  # of distances and of the size: rounding in single precision, with room
+SAME = 1e-12  # of the size: what is no farther apart has nothing between
 
 
 @individual
@@ -27,15 +28,19 @@ class Nearest:
         The triangles they lie on; -1 where nothing is within the limit: then the distance is the limit.
     parts : (n,) int array
         The part of the triangle, as `triangles.closest` numbers them.
+    torn : (n,) bool array
+        Whether another place is as near and the point on its other side, as beside a slit with nothing between; told
+        where the normals were given.
     """
 
     places: np.ndarray
     distances: np.ndarray
     faces: np.ndarray
     parts: np.ndarray
+    torn: np.ndarray
 
 
-def nearest(tree, points, hints=None, limit=np.inf):
+def nearest(tree, points, hints=None, limit=np.inf, normals=None):
     """Find the nearest point of a mesh to each of some points.
 
     Parameters
@@ -46,6 +51,8 @@ def nearest(tree, points, hints=None, limit=np.inf):
         A point of the mesh for each of them: the search is quicker where it is not much farther than the nearest one.
     limit : float
         What is farther does not count, in metres.
+    normals : PseudoNormals, optional
+        Tell where the sides of the mesh are.
 
     Returns
     -------
@@ -61,18 +68,23 @@ def nearest(tree, points, hints=None, limit=np.inf):
     >>> nearest(floor, np.array([(1.0, 1.0, 2.0), (-3.0, 0.0, 4.0)])).distances.tolist()
     [2.0, 5.0]
     """
-    count = len(points)
-    places, distances = np.empty((count, 3)), np.empty(count)
-    faces, parts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    for start in range(0, count, CHUNK):
+    found = unfound(len(points), limit)
+    for start in range(0, len(points), CHUNK):
         here = slice(start, start + CHUNK)
-        found = searched(tree, points[here], None if hints is None else hints[here], limit)
-        places[here], distances[here], faces[here], parts[here] = found
-    return Nearest(places, distances, faces, parts)
+        parts = searched(tree, points[here], None if hints is None else hints[here], limit, normals)
+        for whole, part in zip(found, parts, strict=True):
+            whole[here] = part
+    return Nearest(*found)
 
 
-def searched(tree, points, hints, limit):
-    """What `nearest` finds, for so few points that all pairs fit into memory at once."""
+def unfound(count, limit):
+    """The arrays of a `Nearest` of so many points that are near nothing."""
+    found = np.zeros((count, 3)), np.full(count, limit, dtype=float), np.full(count, -1)
+    return *found, np.zeros(count, dtype=int), np.zeros(count, dtype=bool)
+
+
+def searched(tree, points, hints, limit, normals):
+    """The arrays of what `nearest` finds, for so few points that all pairs fit into memory at once."""
     near = np.ascontiguousarray((points - tree.middle).T, dtype=np.float32)
     room = np.float32(ABSOLUTE * max(tree.size, float(np.abs(near).max(initial=0))))
     bound = np.full(len(points), min(limit, 1e18), dtype=np.float32)
@@ -86,7 +98,7 @@ def searched(tree, points, hints, limit):
     best = lowest(squares, point, len(points))
     reach = np.minimum(np.sqrt(best) * np.float32(1 + RELATIVE) + room, bound)
     kept = np.flatnonzero(squares <= (reach * reach).take(owner))
-    return compared(tree, points, owner.take(kept), tree.order.ravel().take(within(leaf, each, kept)), limit)
+    return compared(tree, points, owner.take(kept), tree.order.ravel().take(within(leaf, each, kept)), limit, normals)
 
 
 def leaves(tree, near, bound, room):
@@ -138,19 +150,30 @@ def lowest(values, point, count):
     return found
 
 
-def compared(tree, points, point, face, limit):
+def compared(tree, points, point, face, limit, normals):
     """The nearest of the triangles that pairs name, points rising, in double precision; of equally near the first."""
     there = points.take(point, axis=0)
     places, parts = nearest_places(there, tree.exact.take(face))
     distances = norms(there - places)
-    best = np.flatnonzero(distances == lowest(distances, point, len(points)).take(point))
+    least = lowest(distances, point, len(points)).take(point)
+    found = *_, torn = unfound(len(points), limit)
+    if normals is not None:
+        room = SAME * (tree.size + least)
+        level = np.flatnonzero((distances <= least + room) & (least > room))
+        outside = dot((there - places)[level], normals.parts[face[level], parts[level]]) >= 0
+        torn[on_both_sides(point[level], outside)] = True
+    best = np.flatnonzero(distances == least)
     if (point[best[1:]] == point[best[:-1]]).any():
         best = best[np.lexsort((face[best], point[best]))]
         best = best[np.append(True, point[best[1:]] != point[best[:-1]])]
     best = best[distances[best] <= limit]
     where = point[best]
-    count = len(points)
-    found = np.zeros((count, 3)), np.full(count, limit, dtype=float), np.full(count, -1), np.zeros(count, dtype=int)
-    for whole, part in zip(found, (places, distances, face, parts), strict=True):
+    for whole, part in zip(found, (places, distances, face, parts), strict=False):
         whole[where] = part[best]
     return found
+
+
+def on_both_sides(point, outside):
+    """The points, rising, that some of their pairs have outside and some not."""
+    differ = (point[1:] == point[:-1]) & (outside[1:] != outside[:-1])
+    return point[:-1][differ]

@@ -43,8 +43,10 @@ class Around(AnyField):
         asked = np.arange(len(points))
         if hints is not None:  # of points nearer to their hints no search tells more than that they are deep
             asked = np.flatnonzero(norms(points - hints) >= self.radius - reach)
-        found = nearest(self.tree, points[asked], None if hints is None else hints[asked], self.radius + reach)
-        sign = np.where(self.pseudo.outside(points[asked], found), self.side, -self.side)
+        found = nearest(
+            self.tree, points[asked], None if hints is None else hints[asked], self.radius + reach, self.pseudo
+        )
+        sign = np.where(self.pseudo.outside_of(self.tree, points[asked], found), self.side, -self.side)
         values[asked] = np.where(found.faces >= 0, sign * found.distances - self.radius, np.inf)
         places[asked] = found.places
         return values, places

@@ -79,8 +79,8 @@ class Body:
     def depths(self, points):
         """How deep points (n, 3) are in it, in metres, negative outside: (n,) float array."""
         tree, normals = self.search
-        found = nearest(tree, points)
-        return np.where(normals.outside(points, found), -found.distances, found.distances)
+        found = nearest(tree, points, normals=normals)
+        return np.where(normals.outside_of(tree, points, found), -found.distances, found.distances)
 
     def shell(self, first):
         """One of its surfaces as a body, turned so that it looks outwards."""

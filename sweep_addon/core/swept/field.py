@@ -82,8 +82,8 @@ class Field:
 
     def signed(self, points, hints=None):
         """The distance of points (n, 3), (n,), and where the solid is nearest, a `Nearest`."""
-        found = nearest(self.tree, points, hints)
-        return np.where(self.normals.outside(points, found), found.distances, -found.distances), found
+        found = nearest(self.tree, points, hints, normals=self.normals)
+        return np.where(self.normals.outside_of(self.tree, points, found), found.distances, -found.distances), found
 
     def rough(self, points):
         """(n,) float array: the distance of points (n, 3) by interpolation; beyond the lattice from the solid's box."""

@@ -55,8 +55,8 @@ class MeshBody(Body):
 
     def distance(self, points):
         """How far points (n, 3) are from the mesh, negative inside: (n,)."""
-        found = nearest(self.tree, points)
-        return np.where(self.normals.outside(points, found), found.distances, -found.distances)
+        found = nearest(self.tree, points, normals=self.normals)
+        return np.where(self.normals.outside_of(self.tree, points, found), found.distances, -found.distances)
 
 
 class OffsetBody(Body):
