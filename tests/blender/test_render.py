@@ -10,7 +10,7 @@ import pytest
 
 bpy = pytest.importorskip("bpy", reason="needs Blender, and this host has none")
 
-from scenes import add, curve, extent, parameters_of, places, square, straight, sweep, text
+from scenes import add, curve, extent, parameters_of, places, select, square, straight, sweep, text
 
 import sweep_addon as sw
 
@@ -170,6 +170,41 @@ def test_a_render_is_sampled_finer_than_what_is_shown(scene, render, tmp_path, s
     assert render() == pytest.approx([RING] * 3, rel=0.03)
     bpy.context.view_layer.update()
     assert np.array_equal(places(ob.data), shown) and not ob.data.sweep.edited
+
+
+def test_a_bake_has_the_sampling_of_renders_and_leaves_what_is_shown(scene):
+    ob, seen = ring(sw.sampling.Count(3, render=200)), []
+    shown = places(ob.data)
+    scene.render.engine, scene.cycles.samples = "CYCLES", 1
+    material = bpy.data.materials.new("baked")
+    if bpy.app.version < (5, 0):
+        material.use_nodes = True
+    nodes = material.node_tree.nodes
+    nodes.active = nodes.new("ShaderNodeTexImage")
+    nodes.active.image = bpy.data.images.new("baked", 8, 8)
+    ob.data.materials[0] = ob.data.materials[1] = material
+
+    def look(scene, depsgraph):
+        if depsgraph.mode == "RENDER":
+            seen.append(len(ob.data.vertices))
+
+    bpy.app.handlers.depsgraph_update_post.append(look)
+    select(ob)
+    assert bpy.ops.object.bake(type="NORMAL") == {"FINISHED"}
+    bpy.app.handlers.depsgraph_update_post.remove(look)
+    bpy.context.view_layer.update()
+    assert seen == [200 * 64] and np.array_equal(places(ob.data), shown)
+
+
+def test_an_export_may_have_the_sampling_of_renders(scene, tmp_path):
+    """As those of Alembic and USD do where nobody says otherwise."""
+    ob, counts = ring(sw.sampling.Count(3, render=200)), []
+    for mode in ("DAG_EVAL_RENDER", "DAG_EVAL_VIEWPORT"):
+        bpy.ops.wm.obj_export(filepath=str(tmp_path / "ring.obj"), export_eval_mode=mode)
+        bpy.context.view_layer.update()
+        counts.append((tmp_path / "ring.obj").read_text().count("\nv "))
+        assert len(ob.data.vertices) == 3 * 64 and not ob.data.sweep.edited
+    assert counts == [200 * 64, 3 * 64]
 
 
 def test_without_a_sampling_of_its_own_a_render_is_as_shown(scene, render):
