@@ -6,7 +6,7 @@ a Python module or there is none."""
 import os
 import sys
 
-from .batch.command import main
+from .batch.stopping import heed
 
 
 def leave(code):
@@ -20,6 +20,9 @@ def leave(code):
 
 def run():
     """The exit code; a mistake of the program is told here, as nothing may end this process but `leave`."""
+    heed()
+    from .batch.command import main  # which takes a while
+
     try:
         return main(sys.argv[1:])
     except Exception:

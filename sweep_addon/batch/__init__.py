@@ -19,6 +19,9 @@ def unregister():
 
 def sweep(arguments):
     """The command, loaded when it is called: most Blenders are started without it."""
+    from .stopping import heed
+
+    heed()
     from .command import main
 
     return main(arguments)

@@ -16,6 +16,7 @@ from ..core.declared.wording import shown
 from ..core.version import version
 from . import grammar, removing, verbs
 from .export import MODELS, PICTURES, silent
+from .stopping import STOPPED
 
 DONE, FAILED, REFUSED = 0, 1, 2
 
@@ -141,5 +142,5 @@ def main(arguments):
         sys.stderr.write(f"{said[-1]}\n")
         return FAILED
     except KeyboardInterrupt:
-        sys.stderr.write("stopped; what is finished stays, and the same command goes on from there\n")
+        sys.stderr.write(STOPPED)
         return FAILED

@@ -3,14 +3,17 @@
 """Export: files written whole or not at all, in the formats that Blender writes."""
 
 import ctypes
+import errno
 import io
 import os
 import shutil
 import sys
-from contextlib import contextmanager, redirect_stdout
+import tempfile
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 
 from ..core.declared.parameters import require
+from .stopping import unfinished
 
 
 def save_blend(path):
@@ -45,6 +48,7 @@ def save_ply(path):
     bpy.ops.wm.ply_export(filepath=path, export_selected_objects=True, export_uv=False, check_existing=False)
 
 
+ROOM = 1 << 16  # bytes, at random so that no disk makes fewer of them
 MODELS = {".blend": save_blend, ".glb": save_glb, ".stl": save_stl, ".obj": save_obj, ".ply": save_ply}
 PICTURES = {".png": "PNG", ".jpg": "JPEG", ".webp": "WEBP", ".exr": "OPEN_EXR"}
 
@@ -66,7 +70,7 @@ def save_model(output):
     readers cut them along a diagonal each, and a twisted bar got up to an eighth thinner.
     """
     suffix = output.suffix.lower()
-    with whole(output) as path, silent():
+    with whole(output) as path, silent(), redirect_stderr(io.StringIO()):  # exporters print what they raise
         if suffix != ".blend":
             cut_bent_faces()
         MODELS[suffix](str(path))
@@ -94,15 +98,33 @@ def whole(output):
     output.parent.mkdir(parents=True, exist_ok=True)
     part = output.with_name(f".sweep-{output.name}.part")  # a name that is this program's alone
     shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
+    unfinished.add(part)
     try:
         part.mkdir()
-        yield part / output.name
+        try:
+            yield part / output.name
+        finally:
+            require_room(part, output)
         if not (part / output.name).is_file():
             raise RuntimeError(f"Blender's exporter wrote no {output.name}")
         for file in sorted(part.iterdir(), key=lambda file: file.name == output.name):  # the output last
             os.replace(file, output.with_name(file.name))
     finally:
         shutil.rmtree(part, ignore_errors=True)
+        unfinished.discard(part)
+
+
+def require_room(folder, output):
+    """Raise the error of a full disk where there is no room for more: exporters write what fits, and say nothing."""
+    try:
+        with tempfile.TemporaryFile(dir=folder, buffering=0) as more:
+            more.write(os.urandom(ROOM))
+            os.fsync(more.fileno())
+            full = more.tell() < ROOM
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(output)) from error
+    if full:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from ..core.declared.frozen import frozen
 from .plan import Task
+from .stopping import processes, starting
 
 
 @frozen
@@ -68,17 +69,28 @@ def perform(task, program):
     """Do one task in a process of its own, and mark its output as finished."""
     Path(task.output).parent.mkdir(parents=True, exist_ok=True)
     mark(task).unlink(missing_ok=True)
-    done = subprocess.run(
-        [*program, *task.arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace"
-    )
-    if done.returncode or not Path(task.output).is_file():
-        said = done.stderr.strip().splitlines() or [f"its process ended with {done.returncode} and wrote nothing"]
+    code, told = ended([*program, *task.arguments])
+    if code or not Path(task.output).is_file():
+        said = told.strip().splitlines() or [f"its process ended with {code} and wrote nothing"]
         return Result(task, "failed", said[-1])
     mark(task).parent.mkdir(exist_ok=True)
     part = mark(task).with_suffix(".part")
     part.write_text(signature(task), encoding="utf-8")
     os.replace(part, mark(task))
     return Result(task, "done")
+
+
+def ended(command):
+    """The exit code of a process, and what it said on its error stream."""
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
+    with starting:
+        process = subprocess.Popen(command, **pipes, text=True, errors="replace")
+        processes.add(process)
+    try:
+        _, told = process.communicate()
+    finally:
+        processes.discard(process)
+    return process.returncode, told
 
 
 def finished(task):
