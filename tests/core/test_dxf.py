@@ -88,6 +88,18 @@ def test_a_layer_may_be_chosen():
         sw.contours.from_dxf(drawing(draw), layer="nope")
 
 
+@pytest.mark.parametrize("hide", ["off", "freeze"])
+def test_layers_that_are_not_seen_count_only_where_they_are_named(hide):
+    def draw(space):
+        getattr(space.doc.layers.add("PLAN"), hide)()
+        space.add_circle((0, 0), 1)
+        space.add_circle((9, 0), 2, dxfattribs={"layer": "PLAN"})
+        space.add_circle((99, 0), 3, dxfattribs={"invisible": 1})
+
+    assert sw.contours.from_dxf(drawing(draw)).area == pytest.approx(pi, rel=1e-12)
+    assert sw.contours.from_dxf(drawing(draw), layer="PLAN").area == pytest.approx(4 * pi, rel=1e-12)
+
+
 def test_a_job_may_name_a_drawing(tmp_path):
     (tmp_path / "plate.dxf").write_text(drawing(plate, units=4))
     for scale, size in ((1.0, 1e-3), (2.0, 2.0), (0.001, 1e-3)):

@@ -110,6 +110,9 @@ START = 'kind = "generalized-cylinder"\n'
         START
         + "[contour]\nkind = 'circle'\nradius = "
         + "9" * 400: "contour.radius: must have numbers of at most 64 bits, got 999",
+        START + "[trajectory]\nkind = 'polyline'\npoints = [[0, 0, 0], [0, 0, true]]": "trajectory.points: must be a "
+        "list of 3 numbers each, got [0, 0, True] in row 2",
+        START + "scale_x = [[0, true], [1, 1]]": "scale_x: must be a number, a formula in text or a list of points",
         "x = 0x" + "F" * 5000: "x: must have numbers of at most 64 bits, got 0xfff",
         "x = " + "[" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
         "x = " + "9" * 30_000: "must be TOML, nested at most 32 deep, with numbers of at most 64 bits",
@@ -128,6 +131,11 @@ def test_what_is_no_job_is_refused(text, sentence):
 def test_only_a_shape_is_written_as_a_job(value):
     with pytest.raises(ShapeError, match="^shape: must be a shape, got "):
         sw.dump(value)
+
+
+@pytest.mark.parametrize("number", [-(2**63), 2**63 - 1])
+def test_numbers_of_64_bits_are_toml(number):
+    assert tables(f"version = {number}".encode()) == {"version": number}
 
 
 def test_a_byte_order_mark_is_no_mistake():

@@ -92,6 +92,67 @@ def test_percentages_are_of_the_drawings_own_size():
     assert from_svg(svg('<rect width="100%" height="50%"/>', 'viewBox="0 0 10 10"')).section().area == pytest.approx(50)
 
 
+SQUARE = '<rect width="10" height="10"/>'
+SYMBOL = f'<symbol id="s" viewBox="0 0 10 10">{SQUARE}</symbol>'
+WIDE = 'viewBox="0 0 100 40"'
+
+
+@pytest.mark.parametrize(
+    ("body", "attributes", "low", "high"),
+    [
+        ('<rect width="100%" height="100%"/>', WIDE, (0, 0), (100, 40)),
+        ('<rect x="50%" y="50%" width="10%" height="10%"/>', WIDE, (50, 20), (60, 24)),
+        ('<ellipse cx="50%" cy="50%" rx="10%" ry="10%"/>', WIDE, (40, 16), (60, 24)),
+        ('<defs><rect id="r" width="1" height="1"/></defs><use href="#r" x="50%"/>', WIDE, (50, 0), (51, 1)),
+        ('<rect width="100%" height="100%"/>', 'width="100px" height="40px"', (0, 0), (100, 40)),
+        ('<rect width="100%" height="100%"/>', 'width="1in" height="25.4mm"', (0, 0), (96, 96)),
+        (f'<svg x="10" y="20" width="10" height="10" viewBox="0 0 10 10">{SQUARE}</svg>', "", (10, 20), (20, 30)),
+        (f'<svg x="10" y="20" width="20" height="20" viewBox="0 0 10 10">{SQUARE}</svg>', "", (10, 20), (30, 40)),
+        (f'<svg x="10" y="20" width="20" height="20">{SQUARE}</svg>', "", (10, 20), (20, 30)),
+        (f'{SYMBOL}<use href="#s" width="20" height="20" x="5" y="1"/>', "", (5, 1), (25, 21)),
+        (f'{SYMBOL}<g transform="scale(2)"><use href="#s" width="20" height="30" x="5"/></g>', "", (10, 10), (50, 50)),
+        (f'{SYMBOL.replace("0 0 10", "5 5 10")}<use href="#s" width="20" height="20"/>', "", (-10, -10), (10, 10)),
+        (
+            f'{SYMBOL}<symbol id="t" viewBox="0 0 10 10"><use href="#s" width="5" height="5" x="5"/></symbol>'
+            '<use href="#t" width="20" height="20" x="100"/>',
+            "",
+            (110, 0),
+            (120, 10),
+        ),
+    ],
+)
+def test_what_is_drawn_is_where_and_as_large_as_the_standard_says(body, attributes, low, high):
+    """SVG 2, 7.9 and 8.9: percentages are of the nearest viewport, a viewBox is fitted into the middle of its own."""
+    (loop,) = map(np.asarray, from_svg(svg(body, attributes), centred=False).loops)
+    assert np.ptp(loop, axis=0) == pytest.approx(np.subtract(high, low), rel=2e-3)
+    assert (loop.min(axis=0) + loop.max(axis=0)) / 2 == pytest.approx(np.add(low, high) / 2 * (1, -1), abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        'style="fill:none !important"',
+        'style="fill:none!important;stroke:red"',
+        'style="display: none ! important"',
+        'fill=" none "',
+        'fill-opacity="0"',
+        'style="fill-opacity:0.0"',
+        'opacity="0%"',
+        'class="hidden"',
+    ],
+)
+def test_what_is_not_filled_is_no_part_of_the_outline(attributes):
+    style = "<style>.hidden{fill:none !important}</style>"
+    seen, unseen = '<rect x="50" width="1" height="1"/>', SQUARE.replace("<rect", f"<rect {attributes}")
+    assert from_svg(svg(style + unseen + seen)).section().area == pytest.approx(1)
+
+
+def test_what_is_inherited_by_name_is_inherited():
+    inherits = SQUARE.replace("<rect", '<rect fill="inherit"')
+    body = f'<g fill="none">{inherits}</g><rect x="50" width="1" height="1"/>'
+    assert from_svg(svg(body)).section().area == pytest.approx(1)
+
+
 def test_curves_are_smooth_and_corners_sharp():
     circle, half = (from_svg(svg(f'<path d="M-1 0A1 1 0 0 0 1 0{end}"/>')) for end in ("A1 1 0 0 0 -1 0", "z"))
     assert not circle.section().sharp.any()

@@ -33,7 +33,7 @@ def from_dxf(text_or_path, scale=0.0, layer="", centred=True):
     scale : float
         Metres for one unit of the drawing; 0 is the unit that it names, metres where it names none.
     layer : str
-        The only layer that counts; all do by default.
+        The only layer that counts; by default all do that are neither off nor frozen.
     centred : bool
         Whether the centroid of the area becomes the reference point; otherwise the drawing's origin is.
 
@@ -86,7 +86,8 @@ def read(data, layer):
     try:
         drawing, _ = recover.read(BytesIO(data))
         entities = list(islice(recursive_decompose(drawing.modelspace()), MOST + 1))
-        drawn = [entity for entity in entities if entity.dxftype() in DRAWN]
+        hidden = {each.dxf.name for each in drawing.layers if each.is_off() or each.is_frozen()}
+        drawn = [entity for entity in entities if entity.dxftype() in DRAWN and is_seen(entity, hidden - {layer})]
         wanted = [entity for entity in drawn if layer in ("", entity.dxf.layer)]
         chains = [chain for entity in wanted[:MOST] for chain in edges_of(entity)]
     except Exception as error:  # the parser meets what is no DXF in ways of its own
@@ -94,6 +95,11 @@ def read(data, layer):
     if len(entities) > MOST:
         raise ShapeError(f"must have at most {MOST:,} entities, those of blocks each time they are drawn, got more")
     return drawing, chains, {entity.dxf.layer for entity in drawn}
+
+
+def is_seen(entity, hidden):
+    """Whether an entity is visible, and its layer, of which those that are not are given."""
+    return not entity.dxf.get("invisible", 0) and entity.dxf.layer not in hidden
 
 
 def edges_of(entity):

@@ -46,7 +46,8 @@ def from_svg(text_or_path, scale=1.0, tolerance=0.0, centred=True):
         For what is no SVG, a drawing that fills nothing, more than 200,000 points, and a document made to fill memory.
 
     Paths, rectangles, circles, ellipses, polygons and what uses them are united, each filled by its own rule and with
-    its transforms. Strokes, texts, pictures, clipping and masks are left out. Overlaps are resolved to single
+    its transforms. Style sheets count where their selectors are an element, a class or an id. Strokes, texts, pictures,
+    clipping and masks are left out. Overlaps are resolved to single
     precision; areas that touch in a point are drawn apart there by a few millionths of the size. Paths that miss their
     start by no more than rounding are led back to it.
 
@@ -72,7 +73,7 @@ def drawn_figures(root, width, height):
     svgelements = library("svgelements", "svgelements")
     text = io.BytesIO(ElementTree.tostring(root))
     try:
-        drawing = svgelements.SVG.parse(text, reify=False, width=width, height=height)
+        drawing = svgelements.SVG.parse(text, reify=False, width=height, height=width)  # it swaps them
         shapes = [shape for shape in drawing.elements() if isinstance(shape, svgelements.Shape)]
         shapes = [(shape, paths_of(svgelements, shape)) for shape in shapes]
     except Exception as error:  # the parser meets wrong numbers, units and colours in ways of its own
@@ -101,7 +102,15 @@ def refuse_misspelt(svgelements, root):
 
 def is_filled(shape):
     hidden = shape.values.get("visibility") in ("hidden", "collapse")
-    return not hidden and shape.values.get("fill") not in ("none", "transparent")
+    clear = any(is_nothing(shape.values.get(key, "1")) for key in ("opacity", "fill-opacity"))
+    return not hidden and not clear and shape.values.get("fill") not in ("none", "transparent")
+
+
+def is_nothing(opacity):
+    try:
+        return float(opacity.strip().removesuffix("%")) <= 0
+    except ValueError:
+        return False
 
 
 def paths_of(svgelements, shape):

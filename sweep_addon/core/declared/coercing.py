@@ -103,8 +103,16 @@ def coerce_array(p, value):
     return array
 
 
+def has_truths(values):
+    """Whether true or false is among numbers, or among those of rows."""
+    rows = (each if isinstance(each, (list, tuple)) else (each,) for each in values)
+    return any(item is True or item is False for row in rows for item in row)
+
+
 def array_of(p, value):
     """An array from what has the form of one; with rows of none where nothing is what is meant by default."""
+    if isinstance(value, (list, tuple)) and has_truths(value):
+        raise TypeError  # else they would count as 1 and 0
     array = value if isinstance(value, Array) else Array(value)
     nothing = p.columns and not array.values.size and not len(p.default)
     return Array(np.zeros((0, p.columns))) if nothing else array

@@ -70,7 +70,9 @@ def check_bounds(table):
         level += 1
         require(level <= DEEPEST, f"must be nested at most {DEEPEST} deep", level, inner[0][0])
         held = [pair for key, items in inner for pair in entries(key, items)]
-        key, huge = next((pair for pair in held if isinstance(pair[1], int) and abs(pair[1]) >= 2**63), ("", 0))
+        key, huge = next(
+            (pair for pair in held if isinstance(pair[1], int) and not -(2**63) <= pair[1] < 2**63), ("", 0)
+        )
         require(not huge, "must have numbers of at most 64 bits", huge, key)
         inner = [pair for pair in held if isinstance(pair[1], (dict, list))]
 

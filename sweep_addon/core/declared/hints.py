@@ -177,7 +177,8 @@ def first_wrong(value, columns):
 
 def is_row(row, columns):
     """Whether a value is so many numbers, or one."""
-    return rows(row) == (columns or 0) and all(isinstance(item, Real) for item in (row if columns else [row]))
+    items = row if columns else [row]
+    return rows(row) == (columns or 0) and all(isinstance(item, Real) and not isinstance(item, bool) for item in items)
 
 
 def of_a_number(names, type_):
