@@ -3,23 +3,22 @@
 """``sweep VERB ...`` or ``python -m sweep_addon VERB ...``: the verbs of ``blender --command sweep``, where Blender is
 a Python module or there is none."""
 
-import os
 import sys
 
-from .batch.stopping import heed
+from .batch.stopping import heed, leave
 
 
-def leave(code):
+def end(code):
     """End at once where Blender was used: the module bpy 4.5 may wait for ever on its way out."""
     sys.stdout.flush()
     sys.stderr.flush()
     if "bpy" in sys.modules:
-        os._exit(code)
+        leave(code)
     sys.exit(code)
 
 
 def run():
-    """The exit code; a mistake of the program is told here, as nothing may end this process but `leave`."""
+    """The exit code; a mistake of the program is told here, as nothing may end this process but `end`."""
     heed()
     from .batch.command import main  # which takes a while
 
@@ -32,7 +31,7 @@ def run():
 
 def begin():
     """What ``python -m sweep_addon`` does, and the command ``sweep`` that pip installs."""
-    leave(run())
+    end(run())
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import signal
 import socket
 import sys
 from contextlib import suppress
+from pathlib import Path
 from subprocess import TimeoutExpired
 from threading import Lock, Thread
 
@@ -44,7 +45,14 @@ def stop():
             process.wait(GRACE)
     for folder in list(unfinished):
         shutil.rmtree(folder, ignore_errors=True)
-    if "bpy" in sys.modules:
-        shutil.rmtree(sys.modules["bpy"].app.tempdir, ignore_errors=True)
     os.write(2, STOPPED.encode())
-    os._exit(FAILED)
+    leave(FAILED)
+
+
+def leave(code):
+    """End this process at once, and leave nothing of Blender's behind, which would take it away at its own end."""
+    if "bpy" in sys.modules:
+        temporary = Path(sys.modules["bpy"].app.tempdir)
+        if temporary.name.startswith("blender_"):  # where it could make none it has that of all programs
+            shutil.rmtree(temporary, ignore_errors=True)
+    os._exit(code)

@@ -65,6 +65,17 @@ def test_a_signal_ends_what_many_jobs_have_begun_and_begins_nothing(tmp_path, mo
     assert not list(out.iterdir())
 
 
+@POSIX
+def test_a_command_leaves_no_temporary_files(tmp_path, module):
+    """Blender's module has a folder of its own, which it takes away only where it is left to end by itself."""
+    job, temporary = tmp_path / "tube.toml", tmp_path / "temporary"
+    job.write_text(sw.dump(sw.GeneralizedCylinder()))
+    temporary.mkdir()
+    command = [*SWEEP, "build", str(job), "--output", str(tmp_path / "tube.stl")]
+    done = subprocess.run(command, cwd=CHECKOUT, env={**os.environ, "TMPDIR": str(temporary)}, capture_output=True)
+    assert done.returncode == 0 and not list(temporary.iterdir())
+
+
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs to know when signals are heeded")
 def test_a_signal_ends_a_command_that_waits_for_its_input():
     def heeds(process):
