@@ -100,7 +100,8 @@ def whole(output):
     shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
     unfinished.add(part)
     try:
-        part.mkdir()
+        with about(output):
+            part.mkdir()
         try:
             yield part / output.name
         finally:
@@ -116,15 +117,21 @@ def whole(output):
 
 def require_room(folder, output):
     """Raise the error of a full disk where there is no room for more: exporters write what fits, and say nothing."""
-    try:
+    with about(output):
         with tempfile.TemporaryFile(dir=folder, buffering=0) as more:
-            more.write(os.urandom(ROOM))
+            written = more.write(os.urandom(ROOM))
             os.fsync(more.fileno())
-            full = more.tell() < ROOM
+        if written < ROOM:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+@contextmanager
+def about(output):
+    """Tell what the system refuses by the name of the output, not by that of what it is written to."""
+    try:
+        yield
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(output)) from error
-    if full:
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output))
 
 
 @contextmanager

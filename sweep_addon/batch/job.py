@@ -168,7 +168,9 @@ def content(path):
             return path.read_bytes()
     except OSError as error:
         raise ShapeError(f"cannot be read: {error.strerror}") from None
-    raise ShapeError("must be a job file, got a folder" if path.is_dir() else "must be a job file that exists")
+    if path.exists():
+        raise ShapeError(f"must be a job file, got {'a folder' if path.is_dir() else 'no ordinary file'}")
+    raise ShapeError("must be a job file that exists")
 
 
 def decoded(text):

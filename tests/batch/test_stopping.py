@@ -99,6 +99,20 @@ def test_what_fills_the_disk_is_not_moved_to_its_place(tmp_path, monkeypatch):
     assert output.read_text() == "as it was" and list(tmp_path.iterdir()) == [output]
 
 
+def test_a_folder_that_takes_nothing_is_told_of_by_the_name_of_the_output(tmp_path, monkeypatch):
+    output, make = tmp_path / "tube.stl", Path.mkdir
+
+    def mkdir(path, *options, **more):
+        if path.suffix == ".part":
+            raise PermissionError(errno.EACCES, "Permission denied", str(path))
+        make(path, *options, **more)
+
+    monkeypatch.setattr(Path, "mkdir", mkdir)
+    with pytest.raises(PermissionError) as error, export.whole(output):
+        pass
+    assert error.value.filename == str(output)
+
+
 @pytest.mark.parametrize("suffix", [".stl", ".obj", ".ply", ".glb"])
 def test_a_full_disk_leaves_what_was_there(tmp_path, module, suffix):
     """A disk of 200 kB, in a namespace of its own."""

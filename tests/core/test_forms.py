@@ -133,6 +133,12 @@ def test_only_a_shape_is_written_as_a_job(value):
         sw.dump(value)
 
 
+@pytest.mark.parametrize("comment", ["\ud800", "\ud800\U0001f600", "\U0001f600", "'''", "\\", "\u2028"])
+def test_a_text_is_the_same_in_python(comment):
+    stock = sw.MachinedStock(program=f"({comment})\nG21 F300\nG1 Z-2\nX5")
+    assert eval(python_source(stock), {"sw": sw}) == stock
+
+
 @pytest.mark.parametrize("number", [-(2**63), 2**63 - 1])
 def test_numbers_of_64_bits_are_toml(number):
     assert tables(f"version = {number}".encode()) == {"version": number}

@@ -28,6 +28,7 @@ WIDEST = 100  # characters of a line that is written
 
 KEY = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
 LONG_KEY = re.compile(rf"(?<![\w-]){KEY}(?:[ \t]*+\.[ \t]*+{KEY}){{{DEEPEST}}}")  # tomllib takes time as its square
+HALF = re.compile("[\ud800-\udfff]")  # of a pair of surrogates: no file holds one
 LINES = re.compile(r"[^\x00-\x08\x0b-\x1f\x7f]*(?<!')")  # what TOML holds between three quotes
 
 
@@ -189,6 +190,8 @@ def literal(value):
     """A plain value that is no list, as Python writes it."""
     if isinstance(value, dict):
         return f"{{{', '.join(f'{literal(key)}: {literal(held)}' for key, held in value.items())}}}"
+    if isinstance(value, str) and HALF.search(value):
+        return ascii(value)
     if isinstance(value, str) and "\n" in value and "'''" not in value and LINES.fullmatch(value):
         return f"r'''{value}'''" if not value.endswith("\\") else repr(value)
     return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
