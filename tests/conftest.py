@@ -21,6 +21,7 @@ import importlib.util
 import itertools
 import os
 import shutil
+import subprocess
 import sys
 import tempfile
 from collections import Counter, defaultdict
@@ -238,6 +239,13 @@ def made_once(monkeypatch):
         return MADE[shape].astype(dtype)
 
     monkeypatch.setattr(GeneralSweep, "mesh", known)
+
+
+@pytest.fixture
+def blender_module():
+    """Skip where Blender is no module of this Python."""
+    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
+        pytest.skip("this host's Python is started by Blender alone, or has none")
 
 
 @pytest.fixture

@@ -16,9 +16,9 @@ from ..core.declared.wording import shown
 from ..core.version import version
 from . import grammar, removing, verbs
 from .export import MODELS, PICTURES, silent
-from .stopping import STOPPED
+from .stopping import FAILED, STOPPED
 
-DONE, FAILED, REFUSED = 0, 1, 2
+DONE, REFUSED = 0, 2
 
 
 class Parser(argparse.ArgumentParser):

@@ -31,7 +31,8 @@ def heed():
     told.setblocking(False)
     signal.set_wakeup_fd(told.detach())
     for each in SIGNALS:
-        signal.signal(each, lambda *_: None)  # Python then tells of it
+        if signal.getsignal(each) != signal.SIG_IGN:  # as in the background of a script, whose Ctrl-C is not meant
+            signal.signal(each, lambda *_: None)  # Python then tells of it
     Thread(target=lambda: heard.recv(1) and stop(), daemon=True).start()
 
 

@@ -7,7 +7,7 @@ from bpy.app.handlers import persistent
 
 from ..core.later import later
 from . import drawing_thread, rendering
-from .rendering import held
+from .rendering import held, sweeps
 
 mark = later("bridge.meshes", "mark")
 has_fast = later("bridge.solvers", "has_fast")
@@ -105,10 +105,6 @@ def after_evaluation(*_):
 @persistent
 def before_close(*_):
     drawing_thread.window.before_close()
-
-
-def sweeps():
-    return [mesh for mesh in bpy.data.meshes if mesh.sweep.kind != "NONE"]
 
 
 def touched(updates):

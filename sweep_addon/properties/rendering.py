@@ -42,12 +42,16 @@ class Held:
     def release(self):
         """Bring back what is shown, of all that a render may have made anew."""
         self.meshes.clear()
-        for mesh in bpy.data.meshes:
-            if mesh.sweep.kind != "NONE" and (mesh.animation_data or inputs(mesh) or renders_otherwise(mesh)):
+        for mesh in sweeps():
+            if mesh.animation_data or inputs(mesh) or renders_otherwise(mesh):
                 rebuild(mesh)
 
 
 held = Held()
+
+
+def sweeps():
+    return [mesh for mesh in bpy.data.meshes if mesh.sweep.kind != "NONE"]
 
 
 def goes_on():

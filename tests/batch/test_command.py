@@ -443,14 +443,8 @@ def assert_live(ob):
     assert max(vertex.co.x for vertex in ob.data.vertices) == pytest.approx(2 * width)
 
 
-def need_module():
-    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
-        pytest.skip("this host's Python is started by Blender alone")
-
-
 def alone(*arguments):
     """Run Python where Blender is a module of it and no extension is enabled."""
-    need_module()
     done = subprocess.run([sys.executable, *arguments], cwd=CHECKOUT, capture_output=True, text=True, timeout=120)
     # Blender says this itself, in a container that has no /etc/mtab
     said = [line for line in done.stderr.splitlines() if "list of mounted file-systems" not in line]
@@ -458,7 +452,7 @@ def alone(*arguments):
     return done
 
 
-def test_a_blend_file_that_python_alone_wrote_is_live(scene, job):
+def test_a_blend_file_that_python_alone_wrote_is_live(blender_module, scene, job):
     import bpy
 
     output = job.with_suffix(".blend")
@@ -468,7 +462,7 @@ def test_a_blend_file_that_python_alone_wrote_is_live(scene, job):
     assert_live(bpy.data.objects["tube"])
 
 
-def test_where_the_extension_is_not_enabled_no_object_is_a_sweep(scene):
+def test_where_the_extension_is_not_enabled_no_object_is_a_sweep(blender_module, scene):
     done = alone("-c", """
 import bpy, sweep_addon as sw
 ob = sw.to_object(sw.GeneralizedCylinder(), "tube")

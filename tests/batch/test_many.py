@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Many jobs at once: each its own output, and a wrong one stops no others."""
 
-import subprocess
 import sys
 from pathlib import Path
 
@@ -35,9 +34,7 @@ def test_one_picture_of_many_turns(scene, job, capsys, monkeypatch):
     assert capsys.readouterr().out == f"{folder / 'tube_0003.png'}\n"
 
 
-def test_many_jobs_are_built_in_processes_and_only_once(scene, job, capsys, monkeypatch):
-    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
-        pytest.skip("this host's Python is started by Blender alone")
+def test_many_jobs_are_built_in_processes_and_only_once(blender_module, scene, job, capsys, monkeypatch):
     monkeypatch.chdir(CHECKOUT)
     monkeypatch.setattr(verbs, "program", lambda arguments: (sys.executable, "-m", "sweep_addon"))
     other = job.with_name("other.toml")

@@ -23,13 +23,6 @@ POSIX = pytest.mark.skipif(os.name != "posix", reason="signals of other systems 
 SHAPE = sw.GeneralizedCylinder(sw.contours.Circle(points=800), sw.trajectories.Helix(), samples=sw.sampling.Count(2000))
 
 
-@pytest.fixture
-def module():
-    """Skip where Blender is no module of this Python."""
-    if subprocess.run([sys.executable, "-c", "import bpy"], capture_output=True).returncode:
-        pytest.skip("needs Blender as a module of Python")
-
-
 def stopped(arguments, number, until):
     """End a command by a signal once something is so: its exit code, what it printed and what it said."""
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
@@ -44,7 +37,7 @@ def stopped(arguments, number, until):
 
 @POSIX
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_while_a_model_is_written_leaves_nothing(tmp_path, module, number):
+def test_a_signal_while_a_model_is_written_leaves_nothing(tmp_path, blender_module, number):
     job, out = tmp_path / "tube.toml", tmp_path / "out"
     job.write_text(sw.dump(SHAPE))
     part = out / ".sweep-tube.glb.part"
@@ -53,7 +46,7 @@ def test_a_signal_while_a_model_is_written_leaves_nothing(tmp_path, module, numb
 
 
 @POSIX
-def test_a_signal_ends_what_many_jobs_have_begun_and_begins_nothing(tmp_path, module):
+def test_a_signal_ends_what_many_jobs_have_begun_and_begins_nothing(tmp_path, blender_module):
     jobs, out = [tmp_path / f"tube_{number}.toml" for number in range(3)], tmp_path / "out"
     for job in jobs:
         job.write_text(sw.dump(SHAPE))
@@ -66,7 +59,7 @@ def test_a_signal_ends_what_many_jobs_have_begun_and_begins_nothing(tmp_path, mo
 
 
 @POSIX
-def test_a_command_leaves_no_temporary_files(tmp_path, module):
+def test_a_command_leaves_no_temporary_files(tmp_path, blender_module):
     """Blender's module has a folder of its own, which it takes away only where it is left to end by itself."""
     job, temporary = tmp_path / "tube.toml", tmp_path / "temporary"
     job.write_text(sw.dump(sw.GeneralizedCylinder()))
@@ -74,6 +67,15 @@ def test_a_command_leaves_no_temporary_files(tmp_path, module):
     command = [*SWEEP, "build", str(job), "--output", str(tmp_path / "tube.stl")]
     done = subprocess.run(command, cwd=CHECKOUT, env={**os.environ, "TMPDIR": str(temporary)}, capture_output=True)
     assert done.returncode == 0 and not list(temporary.iterdir())
+
+
+@POSIX
+def test_a_signal_that_whoever_started_it_ignores_is_ignored():
+    script = "import signal; from sweep_addon.batch.stopping import heed; heed(); signal.raise_signal(signal.SIGINT)"
+    command = [sys.executable, "-c", f"{script}; import time; time.sleep(0.5); print('goes on')"]
+    ignoring = ["sh", "-c", 'trap "" INT; exec "$@"', "sh", *command]
+    done = subprocess.run(ignoring, cwd=CHECKOUT, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, "goes on\n")
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs to know when signals are heeded")
@@ -114,7 +116,7 @@ def test_a_folder_that_takes_nothing_is_told_of_by_the_name_of_the_output(tmp_pa
 
 
 @pytest.mark.parametrize("suffix", [".stl", ".obj", ".ply", ".glb"])
-def test_a_full_disk_leaves_what_was_there(tmp_path, module, suffix):
+def test_a_full_disk_leaves_what_was_there(tmp_path, blender_module, suffix):
     """A disk of 200 kB, in a namespace of its own."""
     job, disk = tmp_path / "tube.toml", tmp_path / "disk"
     job.write_text(sw.dump(sw.GeneralizedCylinder()))
