@@ -109,10 +109,15 @@ def raw(group, p, name):
         return tuple(held)
     if p.type is Values and not isinstance(held, str):
         return texts.numbers(held)
-    kind = chosen_kinds(p).get(held) if p.kinds else None
-    if kind is None:
-        return held
-    return held, *(raw(group, q, f"{name}_{held.lower()}_{q.name}") for q in inside(p, kind))
+    own = names_inside(p, name, held) if p.kinds else None
+    return held if own is None else (held, *(raw(group, q, within) for q, within in own))
+
+
+@cache
+def names_inside(p, name, identifier):
+    """The parameters of a chosen kind with the names of their properties; None where no kind is chosen."""
+    kind = chosen_kinds(p).get(identifier)
+    return kind and tuple((q, f"{name}_{identifier.lower()}_{q.name}") for q in inside(p, kind))
 
 
 @lru_cache(maxsize=256)

@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 
-ONE_THREAD = 2**17  # multiplications of a product; OpenBLAS shares more than 2**18 among threads
-TALL = 16  # rows of a block of a large one
+ONE_THREAD = 2**18  # multiplications of a product; OpenBLAS shares more than 2**18 among threads
+TALL = 32  # rows of a block of a large one
 NEAR = 9216  # numbers of the right array in a block, where rows are added
 TOGETHER = 10_000  # numbers that are added at once: of 8,192 or less NumPy 1 makes copies, and takes twice as long
 MANY = 1000  # vectors, from which on it takes less time to go through them by their columns

@@ -32,8 +32,11 @@ def drawn(grid, weights, rings, dtype, empty=np.empty):
     lines = weights[grid.lines] if grid.poles else weights
     ringed = len(lines) * whole.shape[1]
     vertices = empty(3 * (ringed + len(grid.tips) + len(grid.poles)), dtype).reshape(-1, 3)
-    axes = whole.astype(dtype, order="C").reshape(len(rings), -1)
-    product(lines.astype(dtype, order="C"), axes, vertices[:ringed].reshape(len(lines), -1))
+    axes = np.empty(whole.shape, dtype)
+    for i in range(3):  # rings lie column by column: to read each on end takes half the time of `astype`
+        axes[..., i] = whole[..., i]
+    room = vertices[:ringed].reshape(len(lines), -1)
+    product(lines.astype(dtype, order="C"), axes.reshape(len(rings), -1), room)
     vertices[ringed:] = np.concatenate((rings[0, list(grid.tips)], weights[list(grid.poles)] @ rings[:, 0]))
     return vertices
 

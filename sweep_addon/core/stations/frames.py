@@ -228,6 +228,8 @@ def axes(frame, stations, twist, symmetry=1):
     angles, told = frame.angles(stations, normals, holonomy, symmetry)
     turned_by, across, corners = angles + twist, binormals(stations), stations.corners
     if turned_by.any():
+        if (turned_by == turned_by[0]).all():  # as nearly always
+            turned_by = turned_by[:1]
         cosine, sine = np.cos(turned_by)[:, None], np.sin(turned_by)[:, None]
         e2, e3 = cosine * normals + sine * across, cosine * across - sine * normals
     else:
