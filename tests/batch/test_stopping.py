@@ -19,6 +19,7 @@ from sweep_addon.batch.stopping import STOPPED
 
 CHECKOUT = Path(__file__).parents[2]
 SWEEP = [sys.executable, "-m", "sweep_addon"]
+HEEDING = "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execv(sys.argv[1], sys.argv[1:])"
 POSIX = pytest.mark.skipif(os.name != "posix", reason="signals of other systems end a process at once")
 SHAPE = sw.GeneralizedCylinder(sw.contours.Circle(points=800), sw.trajectories.Helix(), samples=sw.sampling.Count(2000))
 
@@ -26,7 +27,9 @@ SHAPE = sw.GeneralizedCylinder(sw.contours.Circle(points=800), sw.trajectories.H
 def stopped(arguments, number, until):
     """End a command by a signal once something is so: its exit code, what it printed and what it said."""
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    process = subprocess.Popen([*SWEEP, *map(str, arguments)], cwd=CHECKOUT, **pipes, start_new_session=True)
+    # tests that run in the background of a script ignore Ctrl-C, and so would the command
+    heeding = [sys.executable, "-c", HEEDING, *SWEEP, *map(str, arguments)]
+    process = subprocess.Popen(heeding, cwd=CHECKOUT, **pipes, start_new_session=True)
     give_up = time.monotonic() + 60
     while not until(process) and process.poll() is None and time.monotonic() < give_up:
         time.sleep(0.01)

@@ -11,11 +11,13 @@ from planted_assemblies import caged_ball, dovetail, drawer, overlaps, shelled, 
 import sweep_addon as sw
 from sweep_addon.core.csg import Placed
 from sweep_addon.core.meshes.polyhedron import polyhedron
+from sweep_addon.core.removal.bodies import taken
 from sweep_addon.core.removal.directions import candidates
 from sweep_addon.core.removal.finding import scene_of
 from sweep_addon.core.removal.legs import START
 from sweep_addon.core.removal.slipping import NEAR, Contacts
 from sweep_addon.core.removal.straight import ways_out
+from sweep_addon.core.removal.volumes import translated
 from sweep_addon.core.solids import Ball, Block
 
 pytest.importorskip("fcl", reason="removal paths are asked of python-fcl")
@@ -182,10 +184,28 @@ def ribbed(angle):
     return part, sw.removal_path(part, [Block(0.1, 0.1, 0.1).moved(x=3)], distance=0.8)
 
 
-@pytest.mark.parametrize("angle", [0.0, 0.3, 2.0])
-def test_what_must_stay_empty_has_no_films_within(angle):
+@pytest.mark.parametrize("angle", [0.0, 0.3, 2.0, *np.linspace(0.05, 3.1, 25)])
+def test_what_must_stay_empty_has_no_films_or_slits_within(angle):
     """The prisms of faces that lead meet the part and each other: of a part with ribs, nothing is left between them."""
     assert ribbed(angle)[1].swept().mesh().euler_characteristic() == 2
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_what_must_stay_empty_is_as_large_however_it_lies(seed):
+    """Prisms as thin as rounding once cost a twentieth of it."""
+    part, path = ribbed(0.05 + 0.5 * seed)
+    lies, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    lies *= np.linalg.det(lies)
+    body, leg = taken(part, "part"), path.legs[0]
+    volume = path.swept().mesh().volume()
+    lying = translated(body.vertices @ lies.T, body.triangles, lies @ leg.way)
+    assert lying.volume() == pytest.approx(volume, rel=1e-12) and lying.euler_characteristic() == 2
+    points = np.random.default_rng(seed).uniform(lying.vertices.min(axis=0), lying.vertices.max(axis=0), (2000, 3))
+    back = points @ lies - np.linspace(0, 1, 201)[:, None, None] * leg.way  # where they would have come from
+    facetted = sw.solids.Triangles.of(part.mesh())
+    visited = (sw.classify(facetted, back.reshape(-1, 3)).reshape(201, -1) > 0).any(axis=0)
+    assert visited.sum() > 200
+    assert (sw.classify(sw.solids.Triangles.of(lying), points)[visited] >= 0).all()
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, 2.0, *np.linspace(0.05, 3.1, 25)[[1, 9, 13, 15, 23, 24]]])

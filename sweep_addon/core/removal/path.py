@@ -76,10 +76,10 @@ class RemovalPath:
         return np.array(found)
 
     def swept(self):
-        """All points that the part visits on its way, which are to be kept empty: a solid, or a tree of sweeps.
+        """All points that the part visits on its way, which are to be kept empty: a solid, or a tree of such.
 
-        Of straight legs alone it is a solid of triangles that is exact. Of legs that turn it is a union of sweeps,
-        whose membership is exact, and whose mesh is as good as its cells are small.
+        Of a straight leg it is a solid of triangles that is exact; of one that turns a sweep, whose membership is
+        exact, and whose mesh is as good as its cells are small; of several legs the union of theirs.
 
         Raises
         ------
